@@ -1,0 +1,17 @@
+# How this project's own targets are compiled.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+function(pcl_normal_smoothing_compile_options target)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    # One result on every machine: no fused multiply-add, whatever the instruction set.
+    -ffp-contract=off
+    $<$<BOOL:${WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/nearest_list.h>
+#include <pcl_normal_smoothing/core/parallel_for.h>
+#include <pcl_normal_smoothing/core/positions.h>
+
+#include <array>
+#include <utility>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** A balanced kd-tree that answers for all of its points at once, leaf by leaf.
+  *
+  * A leaf gathers the leaves that can hold neighbours of any of its points once; distances are then taken over
+  * contiguous arrays. They are ((dx^2 + dy^2) + dz^2) in float, as FLANN's, and the result is exact: rows are ordered by
+  * (squared distance, rank), and a tie at the k-th place goes to the lowest rank. */
+class KdTree
+{
+public:
+  /** What the queries of one thread reuse. */
+  struct Scratch
+  {
+    std::vector<NearestList> lists;                      // one a point of the leaf
+    std::vector<std::pair<float, std::uint32_t>> leaves; // squared distance of the box, its node
+    std::vector<std::uint32_t> stack;
+  };
+
+  /** Receives the neighbours of the point in a slot, that point not among them. Called from many threads. */
+  using RowVisitor = std::function<void (std::uint32_t slot, const std::vector<Neighbor>& row)>;
+
+  /** \param[in] positions at least one point, all finite
+    * \param[in] rank what decides ties, one a point; empty = the point's own number */
+  KdTree (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution);
+
+  /** The point's number in every slot. Slots are numbered along the leaves, so they follow space. */
+  const std::vector<std::uint32_t>&
+  order () const
+  {
+    return order_;
+  }
+
+  /** Hands the neighbours of every point to \a visit; query.k counts the point itself. */
+  void
+  searchAll (const NeighborQuery& query, const Execution& execution, const RowVisitor& visit) const;
+
+  /** The neighbours of any finite point (as in Positions); query.k counts whatever is found.
+    * \return valid until \a scratch is used again */
+  const std::vector<Neighbor>&
+  search (const Eigen::Vector3f& base,
+          const Eigen::Vector3f& offset,
+          const NeighborQuery& query,
+          Scratch& scratch) const;
+
+private:
+  using Coordinates = std::array<float, 3>;
+  struct Box
+  {
+    Coordinates low, high;
+  };
+  struct Range // of slots
+  {
+    std::uint32_t begin, end;
+  };
+  struct BuildPoint
+  {
+    Coordinates at;
+    std::uint32_t element;
+  };
+
+  void
+  chooseOrigin (const Positions& positions);
+
+  Coordinates
+  treeCoordinates (const Eigen::Vector3f& base, const Eigen::Vector3f& offset) const;
+
+  void
+  split (std::vector<BuildPoint>& points, const Execution& execution);
+
+  void
+  splitNode (std::size_t node, std::vector<BuildPoint>& points);
+
+  void
+  fillSlots (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution);
+
+  /** Fills scratch.leaves with the leaves outside \a done that are not farther from \a box than \a sq_bound, nearest
+    * first. */
+  void
+  gatherLeaves (const Box& box, Range done, float sq_bound, Scratch& scratch) const;
+
+  float
+  sqDistance (const Box& a, const Box& b) const;
+
+  /** Offers the slots of \a range to \a list, \a excluded apart. */
+  void
+  scan (const Eigen::Vector3f& base, const Eigen::Vector3f& offset, Range range, std::uint32_t excluded,
+        NearestList& list) const;
+
+  void
+  searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisitor& visit, Scratch& scratch) const;
+
+  Eigen::Vector3f
+  slotVector (const std::array<std::vector<float>, 3>& columns, std::uint32_t slot) const;
+
+  std::size_t leaf_count_ = 1;             // a power of two; the leaves are the last leaf_count_ nodes
+  std::vector<Range> ranges_;              // of the nodes; the children of node i are 2i + 1 and 2i + 2
+  std::vector<Box> boxes_;                 // of the nodes, in the tree's coordinates
+  std::vector<std::uint32_t> order_;       // slot -> element
+  std::vector<std::uint32_t> rank_;        // slot -> rank
+  std::array<std::vector<float>, 3> base_; // slot -> x, y, z
+  std::array<std::vector<float>, 3> offset_;
+  bool has_offset_ = false;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero (); // of the tree's coordinates, which decide only where to look
+  float slack_ = 0;                        // bound of the rounding of a distance between boxes, per axis
+};
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/nearest_list.h>
+#include <pcl_normal_smoothing/core/parallel_for.h>
+#include <pcl_normal_smoothing/core/positions.h>
+
+#include <memory>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** The neighbourhoods of all finite points of a cloud, searched once and shared by all stages.
+  *
+  * Its nodes are the cloud's finite points in an order that follows space, so that a kernel that walks over the nodes
+  * finds its neighbours in the cache whatever the cloud's order. A row begins with the point itself; its neighbours
+  * follow by (squared distance, index in the cloud), and a tie at the k-th place goes to the lowest index. */
+class NeighborGraph
+{
+public:
+  using Ptr = std::shared_ptr<NeighborGraph>;
+  using ConstPtr = std::shared_ptr<const NeighborGraph>;
+
+  /** A neighbourhood: numbers of nodes. */
+  struct Row
+  {
+    const std::uint32_t* first;
+    const std::uint32_t* last;
+
+    const std::uint32_t*
+    begin () const
+    {
+      return first;
+    }
+    const std::uint32_t*
+    end () const
+    {
+      return last;
+    }
+    std::size_t
+    size () const
+    {
+      return static_cast<std::size_t> (last - first);
+    }
+  };
+
+  /** Replaces \a neighbors by the indices in the cloud of the neighbours of the point with that index, in any order,
+    * with or without the point itself. */
+  using Search = std::function<void (std::uint32_t index, std::vector<std::uint32_t>& neighbors)>;
+
+  /** Searches the neighbours of all finite points.
+    * \param[in] cloud positions in the cloud's order; those that are not finite are left out
+    * \param[in] query k counts the point itself; fewer points than k: the rows hold all there are */
+  static Ptr
+  build (const Positions& cloud, const NeighborQuery& query, const Execution& execution);
+
+  /** As above, from the answers of any search. */
+  static Ptr
+  build (const Positions& cloud, const Search& search, const Execution& execution);
+
+  /** The same nodes, with neighbourhoods searched anew after they have moved.
+    * \param[in] nodes positions in the order of the nodes */
+  Ptr
+  rebuild (const Positions& nodes, const NeighborQuery& query, const Execution& execution) const;
+
+  /** As above, from the answers of any search. */
+  Ptr
+  rebuild (const Positions& nodes, const Search& search, const Execution& execution) const;
+
+  /** Number of nodes. */
+  std::size_t
+  size () const
+  {
+    return order_.size ();
+  }
+
+  Row
+  row (std::size_t node) const
+  {
+    const std::uint32_t* data = neighbors_.data ();
+    if (stride_ > 0)
+      return {data + node * stride_, data + (node + 1) * stride_};
+    return {data + offsets_[node], data + offsets_[node + 1]};
+  }
+
+  /** Index in the cloud of every node. */
+  const std::vector<std::uint32_t>&
+  order () const
+  {
+    return order_;
+  }
+
+  /** Number of points of the cloud, those that are not finite included. */
+  std::size_t
+  cloudSize () const
+  {
+    return cloud_size_;
+  }
+
+private:
+  class Rows;
+
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> neighbors_;
+  std::vector<std::size_t> offsets_; // size + 1; empty where every row has stride_ entries
+  std::size_t stride_ = 0;
+  std::size_t cloud_size_ = 0;
+};
+
+/** The elements of \a positions that \a order names, in that order. */
+Positions
+gather (const Positions& positions, const std::vector<std::uint32_t>& order);
+
+/** Numbers of the positions whose three coordinates are finite. */
+std::vector<std::uint32_t>
+finiteElements (const Positions& positions);
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace pcl_normal_smoothing
+{
+/** Called now and then with the share of the work that is done, 0 to 1, never falling, from the thread that started
+  * the work. Return false to cancel. */
+using ProgressCallback = std::function<bool (double)>;
+
+namespace core
+{
+/** How a stage runs: its threads, and which part of the whole progress it reports. */
+class Execution
+{
+public:
+  /** \param[in] threads number of threads, 0 = all cores
+    * \param[in] progress may be empty */
+  explicit Execution (unsigned threads = 0, ProgressCallback progress = {});
+
+  /** The same threads and callback, reporting between \a from and \a to of this execution's own range. */
+  Execution
+  part (double from, double to) const;
+
+  /** \throw Cancelled if the callback asks to stop
+    * \param[in] done share of this execution's work, 0 to 1 */
+  void
+  report (double done) const;
+
+  int
+  threads () const
+  {
+    return threads_;
+  }
+
+private:
+  int threads_;
+  ProgressCallback progress_;
+  double from_ = 0;
+  double to_ = 1;
+};
+
+/** Calls \a body (begin, end) for ranges of at most \a chunk elements that cover [0, size), on all threads.
+  * The one place that knows of OpenMP. An exception of the body ends the loop and is thrown to the caller.
+  * Results do not depend on the number of threads as long as the body writes the elements of its own range only. */
+void
+parallelFor (std::size_t size,
+             const Execution& execution,
+             const std::function<void (std::size_t, std::size_t)>& body,
+             std::size_t chunk = 1024);
+} // namespace core
+} // namespace pcl_normal_smoothing

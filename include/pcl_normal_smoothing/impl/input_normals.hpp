@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/run_settings.h>
+#include <pcl_normal_smoothing/vector_layout.h>
+
+#include <pcl/point_types.h>
+
+namespace pcl_normal_smoothing
+{
+/** Where a filter reads normals: \a normals if it is set, or else the points' own.
+  * \throw core::Error where there are none, or not one for every point */
+template <typename PointT>
+VectorView
+chooseNormals (const pcl::PointCloud<PointT>& cloud, const pcl::PointCloud<pcl::Normal>::ConstPtr& normals)
+{
+  if (normals && normals->size () != cloud.size ())
+    throw core::Error ("setInputNormals has " + std::to_string (normals->size ()) + " normals, the input cloud " +
+                       std::to_string (cloud.size ()) + " points: give one normal for every point");
+  if (normals)
+    return normalsOf (*normals);
+  if constexpr (pcl::traits::has_normal<PointT>::value)
+    return normalsOf (cloud);
+  else
+    throw core::Error ("the point type has no normals: call setInputNormals");
+}
+
+/** What a filter's output is after its run: as it stands, the input where it was cancelled, empty where it failed. */
+template <typename CloudT>
+void
+settleOutput (Outcome outcome, const CloudT& input, CloudT& output)
+{
+  if (outcome == Outcome::CANCELLED)
+    output = input;
+  if (outcome == Outcome::FAILED) {
+    output.points.clear ();
+    output.width = output.height = 0;
+  }
+}
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/neighbor_graph.h>
+#include <pcl_normal_smoothing/run_settings.h>
+
+#include <pcl/common/point_tests.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_normal_smoothing
+{
+template <typename PointT>
+PointSearch<PointT>
+pointSearch (const typename pcl::search::Search<PointT>::Ptr& search,
+             const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+             const core::NeighborQuery& query)
+{
+  // is_dense of users is often wrong, and a cloud may have changed behind its pointer: hand the finite points over anew.
+  auto finite = pcl::make_shared<pcl::Indices> ();
+  for (std::size_t i = 0; i < cloud->size (); ++i)
+    if (pcl::isXYZFinite ((*cloud)[i]))
+      finite->push_back (static_cast<pcl::index_t> (i));
+  const bool all = finite->size () == cloud->size ();
+  search->setInputCloud (cloud, all ? pcl::IndicesConstPtr () : finite);
+
+  return [search, query] (const PointT& point, std::vector<std::uint32_t>& neighbors) {
+    pcl::Indices found (query.k);
+    std::vector<float> sq_dists (query.k);
+    if (query.k > 0)
+      search->nearestKSearch (point, static_cast<int> (query.k), found, sq_dists);
+    else
+      search->radiusSearch (point, query.radius, found, sq_dists);
+    neighbors.clear ();
+    for (std::size_t j = 0; j < found.size (); ++j)
+      if (query.k == 0 || !(sq_dists[j] >= query.radius * query.radius))
+        neighbors.push_back (static_cast<std::uint32_t> (found[j]));
+  };
+}
+
+template <typename PointT>
+NeighborGraph::Search
+graphSearch (const typename pcl::search::Search<PointT>::Ptr& search,
+             const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+             const core::NeighborQuery& query)
+{
+  return [cloud, find = pointSearch<PointT> (search, cloud, query)] (std::uint32_t index,
+                                                                     std::vector<std::uint32_t>& neighbors) {
+    find ((*cloud)[index], neighbors);
+  };
+}
+
+template <typename PointT>
+NeighborGraph::ConstPtr
+buildNeighborGraph (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+                    int k,
+                    double radius,
+                    const typename pcl::search::Search<PointT>::Ptr& search,
+                    unsigned int threads)
+{
+  const core::NeighborQuery query = makeNeighborQuery (k, k > 0 ? 0 : radius, radius);
+  const core::Positions positions = readPositions (positionsOf (*cloud));
+  const core::Execution execution (threads);
+  if (search)
+    return NeighborGraph::build (positions, graphSearch<PointT> (search, cloud, query), execution);
+  return NeighborGraph::build (positions, query, execution);
+}
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/impl/input_normals.hpp>
+#include <pcl_normal_smoothing/impl/search_settings.hpp>
+#include <pcl_normal_smoothing/normal_guided_point_update.h>
+
+namespace pcl_normal_smoothing
+{
+template <typename PointT>
+void
+NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
+{
+  output = *this->input_;
+  const Outcome outcome = this->attempt (this->filter_name_, [&] {
+    core::check (options_);
+    const std::vector<bool> selected = selectPoints (*this->indices_, output.size ());
+    const VectorView input_normals = chooseNormals (*this->input_, input_normals_);
+    const core::Execution execution = this->execution ();
+    const auto input = [this] { return this->input_; };
+
+    const core::Positions cloud = readPositions (positionsOf (*this->input_));
+    const auto graph = this->obtainGraph (this->filter_name_, cloud, input, execution.part (0, 0.7));
+    core::Positions nodes = gather (cloud, graph->order ());
+    const core::Vectors start = nodes.offset;
+    const core::Research research =
+        options_.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();
+    core::updatePoints (graph, readNormals (input_normals, graph->order ()), options_, research,
+                        execution.part (0.7, 1), nodes);
+    writeDisplacements (displacements (start, nodes), graph->order (), selected, positionLayout<PointT> (),
+                        reinterpret_cast<std::uint8_t*> (output.data ()));
+  });
+  settleOutput (outcome, *this->input_, output);
+}
+} // namespace pcl_normal_smoothing
+
+#define PCL_INSTANTIATE_NormalGuidedPointUpdate(T) \
+  template class PCL_EXPORTS pcl_normal_smoothing::NormalGuidedPointUpdate<T>;

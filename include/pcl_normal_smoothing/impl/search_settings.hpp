@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/search_settings.h>
+
+namespace pcl_normal_smoothing
+{
+template <typename PointT>
+NeighborGraph::ConstPtr
+SearchSettings<PointT>::obtainGraph (const std::string& class_name,
+                                     const core::Positions& positions,
+                                     const std::function<SearchCloudConstPtr ()>& cloud,
+                                     const core::Execution& execution) const
+{
+  if (neighbor_graph_) {
+    checkPointCount (class_name, neighbor_graph_->size (), 0);
+    return fittingGraph (positions);
+  }
+  const core::NeighborQuery query = makeQuery ();
+  const NeighborGraph::ConstPtr graph =
+      search_ ? NeighborGraph::build (positions, graphSearch<PointT> (search_, cloud (), query), execution)
+              : NeighborGraph::build (positions, query, execution);
+  checkPointCount (class_name, graph->size (), query.k);
+  return graph;
+}
+
+template <typename PointT>
+core::Research
+SearchSettings<PointT>::makeResearch (const NeighborGraph::ConstPtr& graph,
+                                      const std::function<SearchCloudConstPtr ()>& cloud) const
+{
+  const core::NeighborQuery query = makeQuery ();
+  const core::Execution quiet (threads_);
+  if (!search_)
+    return [=] (const core::Positions& nodes) { return graph->rebuild (nodes, query, quiet); };
+  return [=, search = search_] (const core::Positions& nodes) {
+    auto moved = pcl::make_shared<pcl::PointCloud<PointT>> (*cloud ());
+    for (std::size_t node = 0; node < nodes.size (); ++node) {
+      const Eigen::Vector3f position = nodes.base[node] + nodes.offset[node];
+      PointT& point = (*moved)[graph->order ()[node]];
+      point.x = position.x ();
+      point.y = position.y ();
+      point.z = position.z ();
+    }
+    auto searched = graph->rebuild (nodes, graphSearch<PointT> (search, moved, query), quiet);
+    search->setInputCloud (cloud ());
+    return searched;
+  };
+}
+} // namespace pcl_normal_smoothing

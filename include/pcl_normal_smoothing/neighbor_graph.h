@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/neighbor_graph.h>
+#include <pcl_normal_smoothing/vector_layout.h>
+
+#include <pcl/search/search.h>
+
+namespace pcl_normal_smoothing
+{
+using NeighborGraph = core::NeighborGraph;
+
+/** Finds the neighbours of any point: \a neighbors becomes indices in the searched cloud. */
+template <typename PointT>
+using PointSearch = std::function<void (const PointT& point, std::vector<std::uint32_t>& neighbors)>;
+
+/** The answers of a search object to one query.
+  * \param[in] search searches \a cloud from now on, its finite points if it holds others
+  * \param[in] query k, a radius, or k limited by a radius */
+template <typename PointT>
+PointSearch<PointT>
+pointSearch (const typename pcl::search::Search<PointT>::Ptr& search,
+             const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+             const core::NeighborQuery& query);
+
+/** The same for the points of the cloud itself. */
+template <typename PointT>
+NeighborGraph::Search
+graphSearch (const typename pcl::search::Search<PointT>::Ptr& search,
+             const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+             const core::NeighborQuery& query);
+
+/** Searches the neighbours of all finite points of a cloud once, for all the classes of a chain (setNeighborGraph).
+  * \param[in] k number of neighbours, the point itself included; 0 = by radius
+  * \param[in] radius neighbours are closer; 0 = k alone. Both: the k nearest that are closer.
+  * \param[in] search a search object to ask; empty = this module's own search, exact and faster
+  * \param[in] threads 0 = all cores
+  * \throw core::Error where k and radius are both 0, or one is negative */
+template <typename PointT>
+NeighborGraph::ConstPtr
+buildNeighborGraph (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+                    int k,
+                    double radius = 0,
+                    const typename pcl::search::Search<PointT>::Ptr& search = nullptr,
+                    unsigned int threads = 0);
+} // namespace pcl_normal_smoothing
+
+#include <pcl_normal_smoothing/impl/neighbor_graph.hpp>

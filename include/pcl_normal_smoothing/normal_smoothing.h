@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/search_settings.h>
+#include <pcl_normal_smoothing/smoothing_settings.h>
+#include <pcl_normal_smoothing/vector_layout.h>
+
+#include <pcl/filters/filter.h>
+#include <pcl/point_types.h>
+
+namespace pcl_normal_smoothing
+{
+/** Smooths a noisy point-sampled surface without rounding its edges: estimates normals, filters them, moves the points to
+  * fit them. After Valdivia, Cedrim, Petronetto, Paiva and Nonato, "Normal Correction Towards Smoothing Point-based
+  * Surfaces" (SIBGRAPI 2013); SmoothingPreset::PAPER is their method.
+  *
+  * Reads xyz (and the normals for NormalSource::INPUT, of the points or of setInputNormals); writes xyz, and the normals
+  * that the points fit where PointT has some. Everything else stays: every other field, the number and order of points, the
+  * organisation; a point that is not finite stays as it is and is nobody's neighbour. With setIndices the whole cloud is
+  * smoothed and the indexed points are written.
+  *
+  * Without k, radius and graph the preset chooses k. The result is the same, bit for bit, for any number of threads. On an
+  * error the output is empty; see getErrorMessage. */
+template <typename PointT>
+class NormalSmoothing : public pcl::Filter<PointT>, public SearchSettings<PointT>, public SmoothingSettings
+{
+public:
+  using Ptr = pcl::shared_ptr<NormalSmoothing<PointT>>;
+  using ConstPtr = pcl::shared_ptr<const NormalSmoothing<PointT>>;
+  using PointCloud = pcl::PointCloud<PointT>;
+  using NormalsConstPtr = pcl::PointCloud<pcl::Normal>::ConstPtr;
+
+  NormalSmoothing ()
+  {
+    this->filter_name_ = "NormalSmoothing";
+  }
+
+  /** Normals for the points of the input, one each, for NormalSource::INPUT. Default none: the points' own. */
+  void
+  setInputNormals (const NormalsConstPtr& normals)
+  {
+    input_normals_ = normals;
+  }
+
+  NormalsConstPtr
+  getInputNormals () const
+  {
+    return input_normals_;
+  }
+
+protected:
+  /** \param[out] output the smoothed input */
+  void
+  applyFilter (PointCloud& output) override;
+
+  int
+  defaultK () const override
+  {
+    return presetK ();
+  }
+
+private:
+  NormalsConstPtr input_normals_;
+};
+
+/** The same for a cloud of any fields: reads x y z, float or double, and writes them; every other field stays byte for
+  * byte. Fields normal_x normal_y normal_z are read for NormalSource::INPUT, and written where setSaveNormals asks. */
+template <>
+class PCL_EXPORTS NormalSmoothing<pcl::PCLPointCloud2>
+: public pcl::Filter<pcl::PCLPointCloud2>, public SearchSettings<pcl::PointXYZ>, public SmoothingSettings
+{
+public:
+  using Ptr = pcl::shared_ptr<NormalSmoothing<pcl::PCLPointCloud2>>;
+  using ConstPtr = pcl::shared_ptr<const NormalSmoothing<pcl::PCLPointCloud2>>;
+
+  NormalSmoothing ()
+  {
+    filter_name_ = "NormalSmoothing";
+  }
+
+  /** The normals that the points fit are written to the fields normal_x normal_y normal_z, which the input must have.
+    * Default false. */
+  void
+  setSaveNormals (bool save)
+  {
+    save_normals_ = save;
+  }
+
+  bool
+  getSaveNormals () const
+  {
+    return save_normals_;
+  }
+
+protected:
+  void
+  applyFilter (pcl::PCLPointCloud2& output) override;
+
+  int
+  defaultK () const override
+  {
+    return presetK ();
+  }
+
+private:
+  void
+  smooth (pcl::PCLPointCloud2& output);
+
+  bool save_normals_ = false;
+};
+} // namespace pcl_normal_smoothing
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl_normal_smoothing/impl/normal_smoothing.hpp>
+#endif

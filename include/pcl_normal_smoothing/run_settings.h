@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/neighbor_graph.h>
+
+#include <string>
+
+namespace pcl_normal_smoothing
+{
+using NeighborGraph = core::NeighborGraph;
+
+/** How a run ended. */
+enum class Outcome
+{
+  DONE,
+  CANCELLED,
+  FAILED
+};
+
+/** What all classes of this module have in common: threads, progress, a shared neighbour graph, the last error. */
+class RunSettings
+{
+public:
+  /** Neighbours are closer than this, in the cloud's unit; limits the k nearest. Default 0: no limit. */
+  void
+  setMaxNeighborDistance (double distance)
+  {
+    max_neighbor_distance_ = distance;
+  }
+
+  double
+  getMaxNeighborDistance () const
+  {
+    return max_neighbor_distance_;
+  }
+
+  /** Neighbourhoods that were searched before (buildNeighborGraph), of a cloud with the same points in the same order;
+    * k, radius and search method are not used then. Default none. */
+  void
+  setNeighborGraph (const NeighborGraph::ConstPtr& graph)
+  {
+    neighbor_graph_ = graph;
+  }
+
+  NeighborGraph::ConstPtr
+  getNeighborGraph () const
+  {
+    return neighbor_graph_;
+  }
+
+  /** Default 0: all cores. The result does not depend on it. */
+  void
+  setNumberOfThreads (unsigned int threads = 0)
+  {
+    threads_ = threads;
+  }
+
+  unsigned int
+  getNumberOfThreads () const
+  {
+    return threads_;
+  }
+
+  /** Called with the share of the work that is done. Where it returns false the run ends: a filter's output is then its
+    * input, a feature's output is empty. Default none. */
+  void
+  setProgressCallback (const ProgressCallback& progress)
+  {
+    progress_ = progress;
+  }
+
+  /** What went wrong in the last run, and what to do; empty where nothing did. */
+  const std::string&
+  getErrorMessage () const
+  {
+    return error_message_;
+  }
+
+  /** The progress callback ended the last run. */
+  bool
+  wasCancelled () const
+  {
+    return cancelled_;
+  }
+
+protected:
+  ~RunSettings () = default;
+
+  /** Runs \a work; an exception becomes a message under the name of the class. */
+  Outcome
+  attempt (const std::string& class_name, const std::function<void ()>& work);
+
+  core::Execution
+  execution () const
+  {
+    return core::Execution (threads_, progress_);
+  }
+
+  /** The graph that was set.
+    * \throw Error where it is of another cloud than \a cloud */
+  NeighborGraph::ConstPtr
+  fittingGraph (const core::Positions& cloud) const;
+
+  double max_neighbor_distance_ = 0;
+  NeighborGraph::ConstPtr neighbor_graph_;
+  unsigned int threads_ = 0;
+  ProgressCallback progress_;
+  std::string error_message_;
+  bool cancelled_ = false;
+};
+
+/** \param[in] k number of neighbours, the point itself included; 0 = by radius
+  * \param[in] radius 0 = by k
+  * \param[in] max_distance limits k; 0 = no limit
+  * \throw core::Error unless exactly one of k and radius is above 0, and none below */
+core::NeighborQuery
+makeNeighborQuery (int k, double radius, double max_distance);
+
+/** A warning in PCL's manner. */
+void
+warn (const std::string& class_name, const std::string& message);
+
+/** Warns where there are fewer finite points than k.
+  * \throw core::Error where there are fewer than 3 */
+void
+checkPointCount (const std::string& class_name, std::size_t finite_points, std::size_t k);
+} // namespace pcl_normal_smoothing

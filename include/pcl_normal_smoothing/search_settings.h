@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/point_update.h>
+#include <pcl_normal_smoothing/neighbor_graph.h>
+#include <pcl_normal_smoothing/run_settings.h>
+
+namespace pcl_normal_smoothing
+{
+/** How a filter finds neighbours. Features have these setters from pcl::Feature. */
+template <typename PointT>
+class SearchSettings : public RunSettings
+{
+public:
+  using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
+  using SearchCloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
+
+  /** The search object to ask; it is given the input cloud. Default empty: this module's own search, which is exact and
+    * faster. */
+  void
+  setSearchMethod (const SearchPtr& search)
+  {
+    search_ = search;
+  }
+
+  SearchPtr
+  getSearchMethod () const
+  {
+    return search_;
+  }
+
+  /** Number of neighbours, the point itself included. Default 0: not set. */
+  void
+  setKSearch (int k)
+  {
+    k_ = k;
+  }
+
+  int
+  getKSearch () const
+  {
+    return k_;
+  }
+
+  /** Neighbours are closer than this, in the cloud's unit. Default 0: not set. */
+  void
+  setRadiusSearch (double radius)
+  {
+    radius_ = radius;
+  }
+
+  double
+  getRadiusSearch () const
+  {
+    return radius_;
+  }
+
+protected:
+  ~SearchSettings () = default;
+
+  /** k where neither k nor a radius is set; 0 = that is an error. */
+  virtual int
+  defaultK () const
+  {
+    return 0;
+  }
+
+  core::NeighborQuery
+  makeQuery () const
+  {
+    return makeNeighborQuery (k_ == 0 && radius_ == 0 ? defaultK () : k_, radius_, max_neighbor_distance_);
+  }
+
+  /** The graph that was set, or one searched now.
+    * \param[in] cloud given to the search object where one is set
+    * \throw core::Error where the settings or the cloud do not allow it */
+  NeighborGraph::ConstPtr
+  obtainGraph (const std::string& class_name,
+               const core::Positions& positions,
+               const std::function<SearchCloudConstPtr ()>& cloud,
+               const core::Execution& execution) const;
+
+  /** Searches the neighbours of moved nodes as the first were searched. */
+  core::Research
+  makeResearch (const NeighborGraph::ConstPtr& graph, const std::function<SearchCloudConstPtr ()>& cloud) const;
+
+  SearchPtr search_;
+  int k_ = 0;
+  double radius_ = 0;
+};
+} // namespace pcl_normal_smoothing
+
+#include <pcl_normal_smoothing/impl/search_settings.hpp>

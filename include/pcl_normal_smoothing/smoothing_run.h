@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/smoothing.h>
+#include <pcl_normal_smoothing/vector_layout.h>
+
+#include <optional>
+
+namespace pcl_normal_smoothing
+{
+/** One smoothing of a cloud of any layout: what NormalSmoothing does for every kind of cloud. */
+class SmoothingRun
+{
+public:
+  /** \throw core::Error where an option or an index is out of range */
+  SmoothingRun (const core::SmoothingOptions& options, const VectorView& positions, const pcl::Indices& indices);
+
+  /** The positions of the whole cloud. */
+  const core::Positions&
+  cloud () const
+  {
+    return cloud_;
+  }
+
+  /** \param[in] normals of the cloud, for NormalSource::INPUT
+    * \param[in] research see core::updatePoints */
+  void
+  smooth (const core::NeighborGraph::ConstPtr& graph,
+          const std::optional<VectorView>& normals,
+          const core::Research& research,
+          const core::Execution& execution);
+
+  /** Moves the indexed points of the cloud at \a data. */
+  void
+  writePositions (const VectorLayout& layout, std::uint8_t* data) const;
+
+  /** Writes the normals of the indexed points to the cloud at \a data. */
+  void
+  writeNormals (const VectorLayout& layout, std::uint8_t* data) const;
+
+private:
+  core::SmoothingOptions options_;
+  std::vector<bool> selected_;
+  core::Positions cloud_;
+  core::NeighborGraph::ConstPtr graph_;
+  core::Vectors displacements_;
+  core::Vectors normals_;
+};
+} // namespace pcl_normal_smoothing

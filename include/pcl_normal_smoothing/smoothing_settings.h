@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/smoothing.h>
+
+#include <optional>
+
+namespace pcl_normal_smoothing
+{
+/** A set of parameters. Whatever is set explicitly holds over it, in any order. */
+enum class SmoothingPreset
+{
+  DEFAULT, //!< the best quality
+  FAST,    //!< the best at three tenths of the cost
+  PAPER    //!< PGU7 of Valdivia et al. 2013 with 5 normal and 7 point iterations, as on its scanned bust
+};
+
+/** The parameters of NormalSmoothing. */
+class SmoothingSettings
+{
+public:
+  /** Default SmoothingPreset::DEFAULT. */
+  void
+  setPreset (SmoothingPreset preset)
+  {
+    preset_ = preset;
+  }
+
+  SmoothingPreset
+  getPreset () const
+  {
+    return preset_;
+  }
+
+  /** Where the normals come from. */
+  void
+  setNormalSource (NormalSource source)
+  {
+    normal_source_ = source;
+  }
+
+  /** Which weight a neighbour's normal has in the filter. */
+  void
+  setNormalWeight (NormalWeight weight)
+  {
+    normal_weight_ = weight;
+  }
+
+  /** T of eq. 3, range [0, 1). */
+  void
+  setThreshold (double threshold)
+  {
+    threshold_ = threshold;
+  }
+
+  /** sigma_s of eq. 5, of the normal filter, range > 0. */
+  void
+  setSigmaS (double sigma_s)
+  {
+    sigma_s_ = sigma_s;
+  }
+
+  /** The threshold of eq. 7. */
+  void
+  setMixedThreshold (MixedThreshold threshold)
+  {
+    mixed_threshold_ = threshold;
+  }
+
+  /** Iterations of the normal filter, range >= 0. */
+  void
+  setNormalIterations (int iterations)
+  {
+    normal_iterations_ = iterations;
+  }
+
+  /** How points move. */
+  void
+  setUpdateRule (UpdateRule rule)
+  {
+    update_rule_ = rule;
+  }
+
+  /** sigma_s of eq. 9, of the point update, range > 0. */
+  void
+  setUpdateSigmaS (double sigma_s)
+  {
+    update_sigma_s_ = sigma_s;
+  }
+
+  /** Iterations of the point update, range >= 0. */
+  void
+  setPointIterations (int iterations)
+  {
+    point_iterations_ = iterations;
+  }
+
+  /** No point ends farther from where it began, in the cloud's unit, range > 0. */
+  void
+  setMaxDisplacement (double distance)
+  {
+    max_displacement_ = distance;
+  }
+
+  /** Neighbours of moved points are searched anew after this many iterations of the point update. Default 0: never. */
+  void
+  setSearchInterval (int iterations)
+  {
+    search_interval_ = iterations;
+  }
+
+  /** The normals point to the same side everywhere (NormalSource::INPUT): nothing is flipped, and two close sheets stay
+    * apart. Default false. */
+  void
+  setNormalsOriented (bool oriented)
+  {
+    oriented_ = oriented;
+  }
+
+  /** Of NormalSource::HOUGH. Default 0. */
+  void
+  setSeed (std::uint64_t seed)
+  {
+    seed_ = seed;
+  }
+
+  /** The preset with all that was set explicitly. */
+  core::SmoothingOptions
+  options () const;
+
+protected:
+  /** k of the preset, where neither k nor a radius is set. */
+  int
+  presetK () const;
+
+  ~SmoothingSettings () = default;
+
+private:
+  SmoothingPreset preset_ = SmoothingPreset::DEFAULT;
+  std::optional<NormalSource> normal_source_;
+  std::optional<NormalWeight> normal_weight_;
+  std::optional<double> threshold_;
+  std::optional<double> sigma_s_;
+  std::optional<MixedThreshold> mixed_threshold_;
+  std::optional<int> normal_iterations_;
+  std::optional<UpdateRule> update_rule_;
+  std::optional<double> update_sigma_s_;
+  std::optional<int> point_iterations_;
+  std::optional<double> max_displacement_;
+  int search_interval_ = 0;
+  bool oriented_ = false;
+  std::uint64_t seed_ = 0;
+};
+} // namespace pcl_normal_smoothing

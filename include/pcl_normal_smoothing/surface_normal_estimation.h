@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/surface_estimation.h>
+#include <pcl_normal_smoothing/neighbor_graph.h>
+#include <pcl_normal_smoothing/run_settings.h>
+
+#include <pcl/features/feature.h>
+#include <pcl/point_types.h>
+
+namespace pcl_normal_smoothing
+{
+/** What this module's normal estimators have in common: which neighbourhoods they look at, and which way normals point.
+  *
+  * Reads xyz; writes normal and curvature (the surface variation), one output for every index. A point that is not finite,
+  * or whose neighbourhood has fewer than 3 points or lies on a line, gets NaN, and the output is not dense. Normals point
+  * to the viewpoint, as those of pcl::NormalEstimation do.
+  *
+  * k or a radius must be set, or a neighbour graph. On an error the output is empty; see getErrorMessage. */
+template <typename PointInT, typename PointOutT>
+class SurfaceNormalEstimation : public pcl::Feature<PointInT, PointOutT>, public RunSettings
+{
+public:
+  using Ptr = pcl::shared_ptr<SurfaceNormalEstimation<PointInT, PointOutT>>;
+  using ConstPtr = pcl::shared_ptr<const SurfaceNormalEstimation<PointInT, PointOutT>>;
+  using PointCloudOut = pcl::PointCloud<PointOutT>;
+
+  /** Normals point to (\a x, \a y, \a z). Default: the input's sensor origin. */
+  void
+  setViewPoint (float x, float y, float z)
+  {
+    view_point_ = Eigen::Vector3f (x, y, z);
+    use_sensor_origin_ = false;
+  }
+
+  /** The viewpoint of setViewPoint, or else the sensor origin of the input cloud, zero without a cloud. */
+  void
+  getViewPoint (float& x, float& y, float& z) const;
+
+  /** Normals point to the sensor origin of the input cloud. */
+  void
+  useSensorOriginAsViewPoint ()
+  {
+    use_sensor_origin_ = true;
+  }
+
+protected:
+  /** The estimator of one run. \throw core::Error where a parameter is out of range */
+  virtual core::SurfaceEstimator
+  makeEstimator () const = 0;
+
+  /** As PCL's, but builds no tree, and asks for no k where a graph is set. */
+  bool
+  initCompute () override;
+
+private:
+  void
+  computeFeature (PointCloudOut& output) override;
+
+  /** One surface for every index. */
+  std::vector<core::LocalSurface>
+  estimate ();
+
+  std::vector<core::LocalSurface>
+  estimateOverGraph (const core::SurfaceEstimator& estimator);
+
+  /** Where the surface is another cloud, or only some points are asked for. */
+  std::vector<core::LocalSurface>
+  estimateByQueries (const core::SurfaceEstimator& estimator);
+
+  /** Turns a surface to the viewpoint and stores it. */
+  void
+  store (const core::LocalSurface& surface, const Eigen::Vector3f& to_view_point, PointOutT& output) const;
+
+  Eigen::Vector3f view_point_ = Eigen::Vector3f::Zero ();
+  bool use_sensor_origin_ = true;
+};
+} // namespace pcl_normal_smoothing

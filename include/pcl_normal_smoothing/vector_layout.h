@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/positions.h>
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace pcl_normal_smoothing
+{
+/** Where the points of a cloud keep a vector: how compiled code reads and writes any point type. */
+class VectorLayout
+{
+public:
+  enum class Scalar
+  {
+    FLOAT32,
+    FLOAT64
+  };
+
+  using Offsets = std::array<std::size_t, 3>;
+
+  /** \param[in] stride bytes from a point to the next
+    * \param[in] offsets bytes from a point's begin to its three numbers */
+  VectorLayout (std::size_t stride, const Offsets& offsets, Scalar scalar)
+  : stride_ (stride), offsets_ (offsets), scalar_ (scalar)
+  {}
+
+  /** The three fields \a X, \a Y, \a Z (pcl::fields::x ...) of a point type. */
+  template <typename PointT, typename X, typename Y, typename Z>
+  static VectorLayout
+  ofFields ()
+  {
+    constexpr auto type = pcl::traits::datatype<PointT, X>::value;
+    static_assert (type == pcl::PCLPointField::FLOAT32 || type == pcl::PCLPointField::FLOAT64,
+                   "the coordinates must be float or double");
+    return {sizeof (PointT),
+            {pcl::traits::offset<PointT, X>::value, pcl::traits::offset<PointT, Y>::value,
+             pcl::traits::offset<PointT, Z>::value},
+            type == pcl::PCLPointField::FLOAT32 ? Scalar::FLOAT32 : Scalar::FLOAT64};
+  }
+
+  /** The fields called \a names; nothing where one is missing, or they are not all float or all double. */
+  static std::optional<VectorLayout>
+  find (const pcl::PCLPointCloud2& cloud, const std::array<std::string, 3>& names);
+
+  /** The vector of point \a i of the cloud that begins at \a data. */
+  Eigen::Vector3d
+  get (const std::uint8_t* data, std::size_t i) const;
+
+  void
+  set (std::uint8_t* data, std::size_t i, const Eigen::Vector3d& value) const;
+
+private:
+  std::size_t
+  begin (std::size_t i) const
+  {
+    return width_ == 0 ? i * stride_ : i / width_ * row_step_ + i % width_ * stride_;
+  }
+
+  std::size_t stride_;
+  Offsets offsets_;
+  Scalar scalar_;
+  std::size_t width_ = 0; // of rows with padding behind them; 0 = none have any
+  std::size_t row_step_ = 0;
+};
+
+/** The layout of x, y, z of a point type. */
+template <typename PointT>
+VectorLayout
+positionLayout ()
+{
+  return VectorLayout::ofFields<PointT, pcl::fields::x, pcl::fields::y, pcl::fields::z> ();
+}
+
+/** The layout of normal_x, normal_y, normal_z of a point type. */
+template <typename PointT>
+VectorLayout
+normalLayout ()
+{
+  return VectorLayout::ofFields<PointT, pcl::fields::normal_x, pcl::fields::normal_y, pcl::fields::normal_z> ();
+}
+
+/** A vector of every point of a cloud, to read. */
+struct VectorView
+{
+  VectorLayout layout;
+  const std::uint8_t* data;
+  std::size_t size;
+};
+
+template <typename PointT>
+VectorView
+positionsOf (const pcl::PointCloud<PointT>& cloud)
+{
+  return {positionLayout<PointT> (), reinterpret_cast<const std::uint8_t*> (cloud.data ()), cloud.size ()};
+}
+
+template <typename PointT>
+VectorView
+normalsOf (const pcl::PointCloud<PointT>& cloud)
+{
+  return {normalLayout<PointT> (), reinterpret_cast<const std::uint8_t*> (cloud.data ()), cloud.size ()};
+}
+
+core::Positions
+readPositions (const VectorView& positions);
+
+/** The normals of the points \a order names, at length 1; NaN where one is not finite or zero. */
+core::Vectors
+readNormals (const VectorView& normals, const std::vector<std::uint32_t>& order);
+
+/** Which of \a size points \a indices names.
+  * \throw core::Error where an index is out of range */
+std::vector<bool>
+selectPoints (const pcl::Indices& indices, std::size_t size);
+
+/** Adds what nodes have moved to the positions of the selected points of a cloud; one that has not moved keeps its bits.
+  * \param[in] order the point of every node */
+void
+writeDisplacements (const core::Vectors& displacements,
+                    const std::vector<std::uint32_t>& order,
+                    const std::vector<bool>& selected,
+                    const VectorLayout& layout,
+                    std::uint8_t* data);
+
+/** Writes the normals of the nodes to the selected points; where a node has none (NaN) the point keeps its own. */
+void
+writeNormals (const core::Vectors& normals,
+              const std::vector<std::uint32_t>& order,
+              const std::vector<bool>& selected,
+              const VectorLayout& layout,
+              std::uint8_t* data);
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/surface_normal_estimation.h>
+
+namespace pcl_normal_smoothing
+{
+/** Normals by weighted PCA: eq. 1 of Valdivia, Cedrim, Petronetto, Paiva and Nonato, "Normal Correction Towards Smoothing
+  * Point-based Surfaces" (SIBGRAPI 2013).
+  *
+  * A neighbour weighs the inverse of its distance, and the covariance is taken about the weighted centroid of the other
+  * points. Works wherever a pcl::Feature does. */
+template <typename PointInT, typename PointOutT>
+class WPCANormalEstimation : public SurfaceNormalEstimation<PointInT, PointOutT>
+{
+public:
+  using Ptr = pcl::shared_ptr<WPCANormalEstimation<PointInT, PointOutT>>;
+  using ConstPtr = pcl::shared_ptr<const WPCANormalEstimation<PointInT, PointOutT>>;
+
+  WPCANormalEstimation ()
+  {
+    this->feature_name_ = "WPCANormalEstimation";
+  }
+
+protected:
+  core::SurfaceEstimator
+  makeEstimator () const override
+  {
+    return core::makeEstimator (NormalSource::WPCA, {});
+  }
+};
+} // namespace pcl_normal_smoothing
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl_normal_smoothing/impl/wpca_normal_estimation.hpp>
+#endif

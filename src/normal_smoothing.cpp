@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/impl/normal_smoothing.hpp>
+
+#include <pcl/impl/instantiate.hpp>
+
+#include "point_types.h"
+
+namespace pcl_normal_smoothing
+{
+namespace
+{
+constexpr const char* missing_normals = "the cloud has no fields normal_x, normal_y, normal_z of type float or double";
+
+VectorLayout
+requireLayout (const pcl::PCLPointCloud2& cloud, const std::array<std::string, 3>& names, const std::string& otherwise)
+{
+  const auto layout = VectorLayout::find (cloud, names);
+  if (!layout)
+    throw core::Error (otherwise);
+  return *layout;
+}
+
+VectorLayout
+requireNormals (const pcl::PCLPointCloud2& cloud, const std::string& advice)
+{
+  return requireLayout (cloud, {"normal_x", "normal_y", "normal_z"}, missing_normals + advice);
+}
+
+/** The cloud for a search object. */
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+xyzCloud (const core::Positions& positions)
+{
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> ();
+  for (std::size_t i = 0; i < positions.size (); ++i) {
+    const Eigen::Vector3f p = positions.base[i] + positions.offset[i];
+    cloud->emplace_back (p.x (), p.y (), p.z ());
+  }
+  return cloud;
+}
+} // namespace
+
+void
+NormalSmoothing<pcl::PCLPointCloud2>::applyFilter (pcl::PCLPointCloud2& output)
+{
+  output = *input_;
+  const Outcome outcome = attempt (filter_name_, [&] { smooth (output); });
+  if (outcome == Outcome::CANCELLED)
+    output = *input_;
+  if (outcome == Outcome::FAILED) {
+    output.data.clear ();
+    output.width = output.height = output.row_step = 0;
+  }
+}
+
+void
+NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
+{
+  const core::SmoothingOptions options = this->options ();
+  const std::size_t size = std::size_t (input_->width) * input_->height;
+  const VectorLayout layout = requireLayout (
+      *input_, {"x", "y", "z"}, "the cloud has no fields x, y, z that are all float or all double: it cannot be smoothed");
+  std::optional<VectorView> normals;
+  if (options.normals == NormalSource::INPUT)
+    normals = VectorView {requireNormals (*input_, ": estimate normals first, or choose another normal source"),
+                          input_->data.data (), size};
+
+  SmoothingRun run (options, {layout, input_->data.data (), size}, *indices_);
+  pcl::PointCloud<pcl::PointXYZ>::Ptr searched;
+  if (search_)
+    searched = xyzCloud (run.cloud ());
+  const auto cloud = [&] { return searched; };
+  const core::Execution whole = execution ();
+  const auto graph = obtainGraph (filter_name_, run.cloud (), cloud, whole.part (0, 0.5));
+  const auto research = options.update.search_interval > 0 ? makeResearch (graph, cloud) : core::Research ();
+  run.smooth (graph, normals, research, whole.part (0.5, 1));
+  run.writePositions (layout, output.data.data ());
+  if (save_normals_)
+    run.writeNormals (requireNormals (*input_, ": add them before setSaveNormals"), output.data.data ());
+}
+} // namespace pcl_normal_smoothing
+
+PCL_INSTANTIATE (NormalSmoothing, PCL_NORMAL_SMOOTHING_POINT_TYPES)

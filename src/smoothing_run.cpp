@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/smoothing_run.h>
+
+namespace pcl_normal_smoothing
+{
+SmoothingRun::SmoothingRun (const core::SmoothingOptions& options,
+                            const VectorView& positions,
+                            const pcl::Indices& indices)
+: options_ (options), selected_ (selectPoints (indices, positions.size)), cloud_ (readPositions (positions))
+{
+  core::check (options.filter);
+  core::check (options.update);
+}
+
+void
+SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
+                      const std::optional<VectorView>& normals,
+                      const core::Research& research,
+                      const core::Execution& execution)
+{
+  graph_ = graph;
+  core::Positions nodes = core::gather (cloud_, graph->order ());
+  cloud_ = {}; // the nodes are a copy: keep the peak of memory low
+  displacements_ = nodes.offset;
+  if (normals)
+    normals_ = readNormals (*normals, graph->order ());
+  core::smooth (graph, options_, research, execution, nodes, normals_);
+  for (std::size_t node = 0; node < nodes.size (); ++node)
+    displacements_[node] = nodes.offset[node] - displacements_[node];
+}
+
+void
+SmoothingRun::writePositions (const VectorLayout& layout, std::uint8_t* data) const
+{
+  writeDisplacements (displacements_, graph_->order (), selected_, layout, data);
+}
+
+void
+SmoothingRun::writeNormals (const VectorLayout& layout, std::uint8_t* data) const
+{
+  pcl_normal_smoothing::writeNormals (normals_, graph_->order (), selected_, layout, data);
+}
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/smoothing_settings.h>
+
+namespace pcl_normal_smoothing
+{
+namespace
+{
+core::SmoothingOptions
+presetOptions (SmoothingPreset preset)
+{
+  core::SmoothingOptions options;
+  if (preset == SmoothingPreset::PAPER) { // PGU7, section III of the paper, Fig. 9
+    options.normals = NormalSource::PCA;
+    options.filter.iterations = 5;
+    options.update.rule = UpdateRule::PAPER;
+    options.update.sigma_s = 1.0f / 3;
+    options.update.iterations = 7;
+    return options;
+  }
+  options.filter.iterations = 4;
+  options.update.iterations = 2;
+  return options;
+}
+
+/** Overwrites \a option where something was set. */
+template <typename Option, typename Set>
+void
+overwrite (Option& option, const std::optional<Set>& set)
+{
+  if (set)
+    option = static_cast<Option> (*set);
+}
+} // namespace
+
+core::SmoothingOptions
+SmoothingSettings::options () const
+{
+  core::SmoothingOptions options = presetOptions (preset_);
+  overwrite (options.normals, normal_source_);
+  overwrite (options.filter.weight, normal_weight_);
+  overwrite (options.filter.threshold, threshold_);
+  overwrite (options.filter.sigma_s, sigma_s_);
+  overwrite (options.filter.mixed_threshold, mixed_threshold_);
+  overwrite (options.filter.iterations, normal_iterations_);
+  overwrite (options.update.rule, update_rule_);
+  overwrite (options.update.sigma_s, update_sigma_s_);
+  overwrite (options.update.iterations, point_iterations_);
+  overwrite (options.update.max_displacement, max_displacement_);
+  options.update.search_interval = search_interval_;
+  options.filter.oriented = options.update.oriented = oriented_;
+  options.hough.seed = seed_;
+  return options;
+}
+
+int
+SmoothingSettings::presetK () const
+{
+  return preset_ == SmoothingPreset::PAPER ? 7 : 15;
+}
+} // namespace pcl_normal_smoothing

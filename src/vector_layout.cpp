@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/vector_layout.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace pcl_normal_smoothing
+{
+std::optional<VectorLayout>
+VectorLayout::find (const pcl::PCLPointCloud2& cloud, const std::array<std::string, 3>& names)
+{
+  Offsets offsets {};
+  std::array<std::uint8_t, 3> types {};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto field = std::find_if (cloud.fields.begin (), cloud.fields.end (), [&] (const auto& candidate) {
+      return candidate.name == names[d] && candidate.count <= 1;
+    });
+    if (field == cloud.fields.end ())
+      return std::nullopt;
+    offsets[d] = field->offset;
+    types[d] = field->datatype;
+  }
+  const bool all_float = types[0] == pcl::PCLPointField::FLOAT32, all_double = types[0] == pcl::PCLPointField::FLOAT64;
+  if (types[1] != types[0] || types[2] != types[0] || !(all_float || all_double))
+    return std::nullopt;
+  VectorLayout layout (cloud.point_step, offsets, all_float ? Scalar::FLOAT32 : Scalar::FLOAT64);
+  if (cloud.row_step > cloud.width * cloud.point_step) {
+    layout.width_ = cloud.width;
+    layout.row_step_ = cloud.row_step;
+  }
+  return layout;
+}
+
+Eigen::Vector3d
+VectorLayout::get (const std::uint8_t* data, std::size_t i) const
+{
+  Eigen::Vector3d value;
+  for (int d = 0; d < 3; ++d) {
+    const std::uint8_t* at = data + begin (i) + offsets_[static_cast<std::size_t> (d)];
+    if (scalar_ == Scalar::FLOAT32) {
+      float number;
+      std::memcpy (&number, at, sizeof number);
+      value[d] = number;
+    }
+    else
+      std::memcpy (&value[d], at, sizeof (double));
+  }
+  return value;
+}
+
+void
+VectorLayout::set (std::uint8_t* data, std::size_t i, const Eigen::Vector3d& value) const
+{
+  for (int d = 0; d < 3; ++d) {
+    std::uint8_t* at = data + begin (i) + offsets_[static_cast<std::size_t> (d)];
+    if (scalar_ == Scalar::FLOAT32) {
+      const auto number = static_cast<float> (value[d]);
+      std::memcpy (at, &number, sizeof number);
+    }
+    else
+      std::memcpy (at, &value[d], sizeof (double));
+  }
+}
+
+core::Positions
+readPositions (const VectorView& view)
+{
+  core::Positions positions;
+  positions.base.reserve (view.size);
+  positions.offset.reserve (view.size);
+  for (std::size_t i = 0; i < view.size; ++i) {
+    const Eigen::Vector3d position = view.layout.get (view.data, i);
+    positions.base.push_back (position.cast<float> ());
+    positions.offset.push_back ((position - positions.base.back ().cast<double> ()).cast<float> ());
+  }
+  return positions;
+}
+
+core::Vectors
+readNormals (const VectorView& view, const std::vector<std::uint32_t>& order)
+{
+  core::Vectors normals;
+  normals.reserve (order.size ());
+  for (const std::uint32_t i : order) {
+    const Eigen::Vector3d normal = view.layout.get (view.data, i);
+    const double length = normal.norm ();
+    const bool valid = std::isfinite (length) && length > 0;
+    normals.push_back (valid ? Eigen::Vector3f ((normal / length).cast<float> ())
+                             : Eigen::Vector3f::Constant (std::numeric_limits<float>::quiet_NaN ()));
+  }
+  return normals;
+}
+
+std::vector<bool>
+selectPoints (const pcl::Indices& indices, std::size_t size)
+{
+  std::vector<bool> selected (size);
+  for (const pcl::index_t index : indices) {
+    if (index < 0 || static_cast<std::size_t> (index) >= size)
+      throw core::Error ("index " + std::to_string (index) + " of setIndices is out of range: the cloud has " +
+                         std::to_string (size) + " points");
+    selected[static_cast<std::size_t> (index)] = true;
+  }
+  return selected;
+}
+
+void
+writeDisplacements (const core::Vectors& displacements,
+                    const std::vector<std::uint32_t>& order,
+                    const std::vector<bool>& selected,
+                    const VectorLayout& layout,
+                    std::uint8_t* data)
+{
+  for (std::size_t node = 0; node < order.size (); ++node)
+    if (selected[order[node]] && !displacements[node].isZero (0))
+      layout.set (data, order[node], layout.get (data, order[node]) + displacements[node].cast<double> ());
+}
+
+void
+writeNormals (const core::Vectors& normals,
+              const std::vector<std::uint32_t>& order,
+              const std::vector<bool>& selected,
+              const VectorLayout& layout,
+              std::uint8_t* data)
+{
+  for (std::size_t node = 0; node < order.size (); ++node)
+    if (selected[order[node]] && !std::isnan (normals[node].x ()))
+      layout.set (data, order[node], normals[node].cast<double> ());
+}
+} // namespace pcl_normal_smoothing
