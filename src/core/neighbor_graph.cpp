@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace pcl_normal_smoothing
@@ -40,47 +41,86 @@ class NeighborGraph::Rows
 {
 public:
   /** \param[in] length of every row, 0 = they differ */
-  Rows (NeighborGraph& graph, std::size_t length) : graph_ (graph)
+  Rows (NeighborGraph& graph, std::size_t length) : graph_ (graph), length_ (length)
   {
-    graph_.stride_ = length;
-    if (length > 0)
-      graph_.neighbors_.resize (graph_.size () * length);
-    else
+    if (length == 0)
       rows_.resize (graph_.size ());
+    else
+      setLengths (std::vector<std::size_t> (graph_.blockCount (), length));
   }
 
   /** \param[in] node_of the node in every slot that \a row names; empty = they are the nodes */
   void
   put (std::uint32_t node, const std::vector<Neighbor>& row, const std::vector<std::uint32_t>& node_of)
   {
-    std::uint32_t* out = graph_.neighbors_.data () + node * graph_.stride_;
-    if (graph_.stride_ == 0) {
-      rows_[node].resize (row.size () + 1);
-      out = rows_[node].data ();
+    const auto nodeOf = [&] (const Neighbor& neighbor) {
+      return node_of.empty () ? neighbor.slot : node_of[neighbor.slot];
+    };
+    if (length_ == 0)
+      std::transform (row.begin (), row.end (), std::back_inserter (rows_[node]), nodeOf);
+    else {
+      std::uint32_t* out = begin (node);
+      *out = node;
+      for (const Neighbor& neighbor : row)
+        *(out += block_size) = nodeOf (neighbor);
     }
-    *out++ = node;
-    for (const Neighbor& neighbor : row)
-      *out++ = node_of.empty () ? neighbor.slot : node_of[neighbor.slot];
   }
 
   void
   finish ()
   {
-    if (graph_.stride_ > 0)
-      return;
-    graph_.offsets_.assign (1, 0);
-    graph_.offsets_.reserve (rows_.size () + 1);
-    for (const auto& row : rows_)
-      graph_.offsets_.push_back (graph_.offsets_.back () + row.size ());
-    graph_.neighbors_.reserve (graph_.offsets_.back ());
-    for (const auto& row : rows_)
-      graph_.neighbors_.insert (graph_.neighbors_.end (), row.begin (), row.end ());
+    if (length_ == 0)
+      copyRows ();
+    const std::size_t size = graph_.size ();
+    for (std::size_t lane = size; lane < graph_.blockCount () * block_size; ++lane)
+      for (std::size_t j = 0; j < graph_.blockLength (lane / block_size); ++j)
+        begin (lane)[j * block_size] = begin (size - 1)[j * block_size];
   }
 
 private:
+  std::uint32_t*
+  begin (std::size_t node)
+  {
+    return graph_.neighbors_.data () + graph_.block_begin_[node / block_size] + node % block_size;
+  }
+
+  void
+  setLengths (const std::vector<std::size_t>& lengths)
+  {
+    graph_.block_begin_.assign (1, 0);
+    for (const std::size_t length : lengths)
+      graph_.block_begin_.push_back (graph_.block_begin_.back () + length * block_size);
+    graph_.neighbors_.resize (graph_.block_begin_.back ());
+  }
+
+  void
+  copyRows ()
+  {
+    std::vector<std::size_t> lengths (graph_.blockCount (), 1);
+    for (std::size_t node = 0; node < rows_.size (); ++node)
+      lengths[node / block_size] = std::max (lengths[node / block_size], rows_[node].size () + 1);
+    setLengths (lengths);
+    for (std::size_t node = 0; node < rows_.size (); ++node)
+      for (std::size_t j = 0; j < lengths[node / block_size]; ++j)
+        begin (node)[j * block_size] =
+            j == 0 || j > rows_[node].size () ? static_cast<std::uint32_t> (node) : rows_[node][j - 1];
+  }
+
   NeighborGraph& graph_;
-  std::vector<std::vector<std::uint32_t>> rows_; // where lengths differ
+  std::size_t length_;
+  std::vector<std::vector<std::uint32_t>> rows_; // where lengths differ; without the node itself
 };
+
+Row
+NeighborGraph::row (std::size_t node) const
+{
+  const std::size_t block = node / block_size;
+  const Row whole (blockRows (block) + node % block_size, blockLength (block), block_size);
+  std::size_t size = whole.size ();
+  while (size > 1 && whole[size - 1] == node)
+    --size;
+  return Row (blockRows (block) + node % block_size, size, block_size);
+}
 
 namespace
 {

@@ -19,11 +19,11 @@ Execution::Execution (unsigned threads, ProgressCallback progress)
 {}
 
 Execution
-Execution::part (double from, double to) const
+Execution::part (double from, double to, double of) const
 {
   Execution result = *this;
-  result.from_ = from_ + from * (to_ - from_);
-  result.to_ = from_ + to * (to_ - from_);
+  result.from_ = from_ + from / of * (to_ - from_);
+  result.to_ = from_ + to / of * (to_ - from_);
   return result;
 }
 
@@ -42,10 +42,13 @@ parallelFor (std::size_t size,
 {
   const auto chunks = static_cast<std::ptrdiff_t> ((size + chunk - 1) / chunk);
   std::atomic<std::ptrdiff_t> chunks_done {0};
+  std::ptrdiff_t chunks_reported = 0;
   std::atomic<bool> stop {false};
   std::exception_ptr failure;
+  // Threads without a chunk would only be started to wait.
+  const int threads = static_cast<int> (std::max<std::ptrdiff_t> (1, std::min<std::ptrdiff_t> (execution.threads (), chunks)));
 
-#pragma omp parallel for schedule(dynamic) num_threads(execution.threads ())
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {
     if (stop)
       continue;
@@ -53,8 +56,10 @@ parallelFor (std::size_t size,
       const std::size_t begin = static_cast<std::size_t> (c) * chunk;
       body (begin, std::min (begin + chunk, size));
       const auto done = ++chunks_done;
-      if (omp_get_thread_num () == 0)
+      if (omp_get_thread_num () == 0) {
+        chunks_reported = done;
         execution.report (static_cast<double> (done) / static_cast<double> (chunks));
+      }
     }
     catch (...) {
 #pragma omp critical(pcl_normal_smoothing_failure)
@@ -64,6 +69,8 @@ parallelFor (std::size_t size,
   }
   if (failure)
     std::rethrow_exception (failure);
+  if (chunks_reported < chunks) // the last chunk was another thread's
+    execution.report (1);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

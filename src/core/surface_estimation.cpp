@@ -41,8 +41,7 @@ forEachSurface (const NeighborGraph& graph,
 {
   parallelFor (graph.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const NeighborGraph::Row row = graph.row (i);
-      use (i, estimator ({nodes, nodes.base[i], nodes.offset[i], row.begin (), row.end ()}));
+      use (i, estimator ({nodes, nodes.base[i], nodes.offset[i], graph.row (i)}));
     }
   });
 }
@@ -95,7 +94,7 @@ querySurfaces (const Positions& surface,
       for (const Neighbor& neighbor : tree.search (queries.base[i], queries.offset[i], query, scratch))
         row.push_back (tree.order ()[neighbor.slot]);
       result[i] = estimator (
-          {points, queries.base[i], queries.offset[i], row.data (), row.data () + row.size ()});
+          {points, queries.base[i], queries.offset[i], Row (row.data (), row.size (), 1)});
     }
   });
   return result;
@@ -121,13 +120,13 @@ querySurfaces (const Positions& surface,
         if (j >= surface.size ())
           throw Error ("the search object returned point " + std::to_string (j) +
                        ", which the search surface does not have: let it search the same cloud");
-        const Neighborhood one (surface, queries.base[i], queries.offset[i], &j, &j + 1);
+        const Neighborhood one (surface, queries.base[i], queries.offset[i], Row (&j, 1, 1));
         found.push_back ({one[0].squaredNorm (), j, j});
       }
       std::sort (found.begin (), found.end ());
       std::transform (found.begin (), found.end (), row.begin (), [] (const Neighbor& n) { return n.slot; });
       result[i] = estimator (
-          {surface, queries.base[i], queries.offset[i], row.data (), row.data () + row.size ()});
+          {surface, queries.base[i], queries.offset[i], Row (row.data (), row.size (), 1)});
     }
   });
   return result;

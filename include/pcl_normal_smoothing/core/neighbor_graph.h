@@ -22,29 +22,6 @@ public:
   using Ptr = std::shared_ptr<NeighborGraph>;
   using ConstPtr = std::shared_ptr<const NeighborGraph>;
 
-  /** A neighbourhood: numbers of nodes. */
-  struct Row
-  {
-    const std::uint32_t* first;
-    const std::uint32_t* last;
-
-    const std::uint32_t*
-    begin () const
-    {
-      return first;
-    }
-    const std::uint32_t*
-    end () const
-    {
-      return last;
-    }
-    std::size_t
-    size () const
-    {
-      return static_cast<std::size_t> (last - first);
-    }
-  };
-
   /** Replaces \a neighbors by the indices in the cloud of the neighbours of the point with that index, in any order,
     * with or without the point itself. */
   using Search = std::function<void (std::uint32_t index, std::vector<std::uint32_t>& neighbors)>;
@@ -75,13 +52,32 @@ public:
     return order_.size ();
   }
 
+  /** The neighbourhood of a node: numbers of nodes. */
   Row
-  row (std::size_t node) const
+  row (std::size_t node) const;
+
+  /** Nodes come in blocks of as many, for kernels that work on several at once. */
+  static constexpr std::size_t block_size = 16;
+
+  std::size_t
+  blockCount () const
   {
-    const std::uint32_t* data = neighbors_.data ();
-    if (stride_ > 0)
-      return {data + node * stride_, data + (node + 1) * stride_};
-    return {data + offsets_[node], data + offsets_[node + 1]};
+    return (size () + block_size - 1) / block_size;
+  }
+
+  /** The neighbours of the nodes of a block: the first of every node, then the second of every node ... A node with fewer
+    * than the others is its own neighbour for the rest; lanes behind the last node repeat it. */
+  const std::uint32_t*
+  blockRows (std::size_t block) const
+  {
+    return neighbors_.data () + block_begin_[block];
+  }
+
+  /** Length of the longest row of a block. */
+  std::size_t
+  blockLength (std::size_t block) const
+  {
+    return (block_begin_[block + 1] - block_begin_[block]) / block_size;
   }
 
   /** Index in the cloud of every node. */
@@ -103,8 +99,7 @@ private:
 
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> neighbors_;
-  std::vector<std::size_t> offsets_; // size + 1; empty where every row has stride_ entries
-  std::size_t stride_ = 0;
+  std::vector<std::size_t> block_begin_; // blockCount () + 1
   std::size_t cloud_size_ = 0;
 };
 

@@ -39,25 +39,11 @@ struct NormalFilterOptions
 void
 check (const NormalFilterOptions& options);
 
-/** The normal of one node after one iteration of eq. 2: the weighted sum of the normals of its neighbourhood, itself
-  * included, at length 1. A neighbour at more than 90 degrees counts with its opposite, unless the normals are oriented;
-  * the sign of the node's own normal stays. Neighbours without a normal (NaN) do not count; where the sum vanishes or
-  * the node has no normal, the old one is returned.
-  * \param[in] inverse_two_sigma_c_squared 1 / (2 sigma_c^2) of eq. 5 for this node */
-Eigen::Vector3f
-filteredNormal (std::uint32_t node,
-                NeighborGraph::Row row,
-                const Positions& positions,
-                const Vectors& normals,
-                float inverse_two_sigma_c_squared,
-                const NormalFilterOptions& options);
-
-/** 1 / (2 sigma_c^2) of eq. 5, sigma_c the mean distance to the other points of the row; 0 where that is 0. */
-float
-inverseTwoSigmaCSquared (std::uint32_t node, NeighborGraph::Row row, const Positions& positions);
-
-/** Runs options.iterations iterations of eq. 2.
-  * \param[in] positions of the nodes, unchanged
+/** Runs options.iterations iterations of eq. 2: a node's normal becomes the weighted sum of the normals of its
+  * neighbourhood, itself included, at length 1. A neighbour at more than 90 degrees counts with its opposite, unless the
+  * normals are oriented; the sign of the node's own normal stays. Neighbours without a normal (NaN) do not count; where the
+  * sum vanishes, or the node has no normal, the old one stays. sigma_c of eq. 5 is the mean distance to the others.
+  * \param[in] positions of the nodes
   * \param[in,out] normals of the nodes, length 1 or NaN */
 void
 filterNormals (const NeighborGraph& graph,

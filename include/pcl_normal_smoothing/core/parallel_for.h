@@ -20,9 +20,9 @@ public:
     * \param[in] progress may be empty */
   explicit Execution (unsigned threads = 0, ProgressCallback progress = {});
 
-  /** The same threads and callback, reporting between \a from and \a to of this execution's own range. */
+  /** The same threads and callback, reporting between \a from and \a to of \a of parts of this execution's range. */
   Execution
-  part (double from, double to) const;
+  part (double from, double to, double of = 1) const;
 
   /** \throw Cancelled if the callback asks to stop
     * \param[in] done share of this execution's work, 0 to 1 */

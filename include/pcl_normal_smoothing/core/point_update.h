@@ -42,18 +42,10 @@ check (const PointUpdateOptions& options);
 Vectors
 displacements (const Vectors& start, const Positions& nodes);
 
-/** The step of one node in one iteration of eq. 8, from the positions before it. */
-Eigen::Vector3f
-updateStep (std::uint32_t node,
-            NeighborGraph::Row row,
-            const Positions& positions,
-            const Vectors& normals,
-            const PointUpdateOptions& options);
-
 /** Searches the neighbours of nodes that have moved. */
 using Research = std::function<NeighborGraph::ConstPtr (const Positions&)>;
 
-/** Runs options.iterations iterations of eq. 8.
+/** Runs options.iterations iterations of eq. 8 with the weights of eq. 9.
   * \param[in,out] positions of the nodes; their offsets change. A node without a normal (NaN) stays and is skipped.
   * \param[in] research called every options.search_interval iterations; not used where that is 0 */
 void

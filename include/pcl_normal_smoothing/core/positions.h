@@ -5,13 +5,51 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <vector>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
-using Vectors = std::vector<Eigen::Vector3f>;
+/** Allocates some bytes more: kernels read vectors of three floats four at a time. */
+template <typename T>
+struct PaddedAllocator
+{
+  using value_type = T;
+
+  PaddedAllocator () = default;
+
+  template <typename U>
+  PaddedAllocator (const PaddedAllocator<U>&)
+  {}
+
+  T*
+  allocate (std::size_t size)
+  {
+    return static_cast<T*> (::operator new (size * sizeof (T) + sizeof (float)));
+  }
+
+  void
+  deallocate (T* data, std::size_t)
+  {
+    ::operator delete (data);
+  }
+
+  friend bool
+  operator== (const PaddedAllocator&, const PaddedAllocator&)
+  {
+    return true;
+  }
+
+  friend bool
+  operator!= (const PaddedAllocator&, const PaddedAllocator&)
+  {
+    return false;
+  }
+};
+
+using Vectors = std::vector<Eigen::Vector3f, PaddedAllocator<Eigen::Vector3f>>;
 
 /** Points as unevaluated sums base + offset.
   *
@@ -37,30 +75,53 @@ struct Positions
   }
 };
 
-/** One point's neighbourhood as its kernels see it: the differences p_j - p_i in the order of the row. */
-class Neighborhood
+/** A list of points, every \a stride-th number of an array. */
+class Row
 {
 public:
-  Neighborhood (const Positions& surface,
-                const Eigen::Vector3f& base,
-                const Eigen::Vector3f& offset,
-                const std::uint32_t* begin,
-                const std::uint32_t* end)
-  : surface_ (surface), base_ (base), offset_ (offset), begin_ (begin), end_ (end)
+  Row (const std::uint32_t* first, std::size_t size, std::size_t stride) : first_ (first), size_ (size), stride_ (stride)
   {}
 
   std::size_t
   size () const
   {
-    return static_cast<std::size_t> (end_ - begin_);
+    return size_;
+  }
+
+  std::uint32_t
+  operator[] (std::size_t j) const
+  {
+    return first_[j * stride_];
+  }
+
+private:
+  const std::uint32_t* first_;
+  std::size_t size_;
+  std::size_t stride_;
+};
+
+/** One point's neighbourhood as an estimator sees it: the differences p_j - p_i in the order of the row. */
+class Neighborhood
+{
+public:
+  /** \param[in] base, offset p_i, as in Positions */
+  Neighborhood (const Positions& surface, const Eigen::Vector3f& base, const Eigen::Vector3f& offset, const Row& row)
+  : surface_ (surface), base_ (base), offset_ (offset), row_ (row)
+  {}
+
+  std::size_t
+  size () const
+  {
+    return row_.size ();
   }
 
   Eigen::Vector3f
   operator[] (std::size_t j) const
   {
-    return (surface_.base[begin_[j]] - base_) + (surface_.offset[begin_[j]] - offset_);
+    return (surface_.base[row_[j]] - base_) + (surface_.offset[row_[j]] - offset_);
   }
 
+  /** p_i in float. */
   const Eigen::Vector3f&
   base () const
   {
@@ -71,8 +132,7 @@ private:
   const Positions& surface_;
   Eigen::Vector3f base_;
   Eigen::Vector3f offset_;
-  const std::uint32_t* begin_;
-  const std::uint32_t* end_;
+  Row row_;
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

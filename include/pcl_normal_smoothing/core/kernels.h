@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** A block of 16 nodes: see NeighborGraph::blockRows. */
+struct BlockRows
+{
+  const std::uint32_t* neighbors;
+  std::size_t length;
+};
+
+/** Vectors of three floats of all nodes. */
+struct NodeArrays
+{
+  const float* base;
+  const float* offset;
+  const float* normals;
+};
+
+/** One iteration of the normal filter: see core/normal_filter.h. */
+struct NormalFilterStep
+{
+  NodeArrays nodes;
+  const float* distance_factor; // 1 / (2 sigma_c^2) of every node
+  int weight;                   // NormalWeight
+  float threshold;
+  float normal_factor;          // 1 / (2 sigma_s^2)
+  bool rms;                     // MixedThreshold::RMS
+  bool oriented;
+  float* filtered;              // out
+};
+
+/** One iteration of the point update: see core/point_update.h. */
+struct PointUpdateStep
+{
+  NodeArrays nodes;
+  const float* start; // offsets before the first iteration
+  bool compensated;
+  float normal_factor; // 1 / (2 sigma_s^2)
+  bool oriented;
+  float max_displacement;
+  float* moved; // out: offsets
+};
+
+/** The inner loops, compiled for one instruction set. The results are the same, bit for bit, with every one of them. */
+struct Kernels
+{
+  const char* name;
+  void (*distance_factors) (const NodeArrays& nodes, const BlockRows& rows, float* factors);
+  void (*filter_normals) (const NormalFilterStep& step, const BlockRows& rows);
+  void (*update_points) (const PointUpdateStep& step, const BlockRows& rows);
+};
+
+/** The kernels for this processor. */
+const Kernels&
+kernels ();
+
+/** All that this processor can run, the best first; the last runs everywhere.
+  * \param[out] count how many */
+const Kernels* const*
+allKernels (std::size_t& count);
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "normal_filter.h"
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace PCL_NORMAL_SMOOTHING_ISA
+{
+/** 1 / (2 sigma_c^2) of eq. 9, sigma_c the distance of the farthest neighbour now; 0 where that is 0. */
+LANES_INLINE Lanes
+reachFactor (const Points& points, const BlockRows& rows, const std::uint32_t* own)
+{
+  Lanes farthest = {};
+  for (std::size_t j = 1; j < rows.length; ++j) {
+    const Lanes3 difference = points.difference (own + 16 * j);
+    farthest = maximum (farthest, dot (difference, difference));
+  }
+  return farthest > 0 ? 1 / (2 * farthest) : splat (0);
+}
+
+/** \a displacement, shortened to at most \a limit. */
+LANES_INLINE Lanes3
+capped (Lanes3 displacement, float limit)
+{
+  const Lanes length = squareRoot (dot (displacement, displacement));
+  const Lanes scale = length > limit ? limit / length : splat (1);
+  return scale * displacement;
+}
+
+/** One iteration of eq. 8 (Sun et al. 2007), or of its compensated form. */
+template <bool compensated>
+LANES_INLINE void
+updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
+{
+  const std::uint32_t* own = rows.neighbors + first;
+  const Points points (step.nodes.base, step.nodes.offset, own);
+  const Lanes3 own_normal = load3 (step.nodes.normals, own);
+  const Lanes reach_factor = reachFactor (points, rows, own);
+  Lanes3 sum = {};
+  Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself: it adds nothing above
+  for (std::size_t j = 1; j < rows.length; ++j) {
+    const std::uint32_t* neighbor = own + 16 * j;
+    const Lanes3 difference = points.difference (neighbor);
+    Lanes3 normal = load3 (step.nodes.normals, neighbor);
+    const Lanes x = 1 - turn (normal, own_normal, step.oriented);
+    // Eq. 9, the two Gaussians in one exponential.
+    Lanes weight = expOfMinus (dot (difference, difference) * reach_factor + x * x * step.normal_factor);
+    // Eq. 8, in which the signs of both n_j cancel; or along the mean of both normals.
+    Lanes height = compensated ? 0.5f * dot (own_normal + normal, difference) : dot (normal, difference);
+    const Mask counts = (x == x) & isOther (neighbor, own);
+    weight = counts ? weight : splat (0);
+    height = counts ? weight * height : splat (0);
+    weights += weight;
+    sum.x += counts ? height * normal.x : splat (0);
+    sum.y += counts ? height * normal.y : splat (0);
+    sum.z += counts ? height * normal.z : splat (0);
+  }
+  const Lanes scale = weights > 0 ? 1 / weights : splat (0);
+  const Lanes3 start = load3 (step.start, own);
+  const Lanes3 displacement = (load3 (step.nodes.offset, own) - start) + scale * sum;
+  store3 (step.moved, own, start + capped (displacement, step.max_displacement));
+}
+} // namespace PCL_NORMAL_SMOOTHING_ISA
+} // namespace core
+} // namespace pcl_normal_smoothing
