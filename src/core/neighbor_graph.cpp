@@ -200,7 +200,7 @@ NeighborGraph::rebuild (const Positions& nodes, const Search& search, const Exec
           throw Error ("the search object returned point " + std::to_string (index) +
                        ", which is not a finite point of the input cloud: let it search the same cloud");
         if (index != order_[node])
-          row.push_back ({nodes.difference (node, node_of[index]).squaredNorm (), index, node_of[index]});
+          row.push_back ({squaredLength (nodes.difference (node, node_of[index])), index, node_of[index]});
       }
       std::sort (row.begin (), row.end ());
       rows.put (node, row, {});

@@ -121,7 +121,7 @@ querySurfaces (const Positions& surface,
           throw Error ("the search object returned point " + std::to_string (j) +
                        ", which the search surface does not have: let it search the same cloud");
         const Neighborhood one (surface, queries.base[i], queries.offset[i], Row (&j, 1, 1));
-        found.push_back ({one[0].squaredNorm (), j, j});
+        found.push_back ({squaredLength (one[0]), j, j});
       }
       std::sort (found.begin (), found.end ());
       std::transform (found.begin (), found.end (), row.begin (), [] (const Neighbor& n) { return n.slot; });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/nearest_list.h>
+#include <pcl_normal_smoothing/core/kernels.h>
+#include <pcl_normal_smoothing/core/neighbor.h>
 #include <pcl_normal_smoothing/core/parallel_for.h>
 #include <pcl_normal_smoothing/core/positions.h>
 
 #include <array>
-#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -23,9 +23,15 @@ public:
   /** What the queries of one thread reuse. */
   struct Scratch
   {
-    std::vector<NearestList> lists;                      // one a point of the leaf
-    std::vector<std::pair<float, std::uint32_t>> leaves; // squared distance of the box, its node
-    std::vector<std::uint32_t> stack;
+    std::vector<std::uint32_t> nodes;          // still to visit
+    std::vector<std::uint32_t> slots;          // of the candidates
+    std::array<std::vector<float>, 3> base;    // likewise
+    std::array<std::vector<float>, 3> offset;  // likewise
+    std::vector<float> sq_dists;               // likewise
+    std::vector<std::uint32_t> selected;       // candidates within the bound
+    std::vector<float> keys;                   // their squared distances
+    std::vector<std::int32_t> ranks;           // how many are smaller
+    std::vector<Neighbor> row;
   };
 
   /** Receives the neighbours of the point in a slot, that point not among them. Called from many threads. */
@@ -46,7 +52,7 @@ public:
   void
   searchAll (const NeighborQuery& query, const Execution& execution, const RowVisitor& visit) const;
 
-  /** The neighbours of any finite point (as in Positions); query.k counts whatever is found.
+  /** The neighbours of any finite point (as in Positions), nearest first; query.k counts whatever is found.
     * \return valid until \a scratch is used again */
   const std::vector<Neighbor>&
   search (const Eigen::Vector3f& base,
@@ -85,24 +91,33 @@ private:
   void
   fillSlots (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution);
 
-  /** Fills scratch.leaves with the leaves outside \a done that are not farther from \a box than \a sq_bound, nearest
-    * first. */
+  /** Radius of a ball about \a center that holds \a k of the points of \a branch; infinity where there are fewer. */
+  float
+  ballRadius (const Coordinates& center, std::size_t branch, std::size_t k, Scratch& scratch) const;
+
+  /** Makes the points of all leaves that are not farther than \a reach from \a box the candidates. */
   void
-  gatherLeaves (const Box& box, Range done, float sq_bound, Scratch& scratch) const;
+  gatherCandidates (const Box& box, float reach, Scratch& scratch) const;
+
+  /** The nearest candidates within the bound of \a query, at most \a count, \a excluded apart: scratch.row. */
+  void
+  selectNearest (const CandidateQuery& query, std::uint32_t excluded, std::size_t count, Scratch& scratch) const;
+
+  /** The same for \a found selected candidates by counting; false where distances are equal. */
+  bool
+  rankRow (std::size_t found, std::size_t count, Scratch& scratch) const;
 
   float
   sqDistance (const Box& a, const Box& b) const;
 
-  /** Offers the slots of \a range to \a list, \a excluded apart. */
-  void
-  scan (const Eigen::Vector3f& base, const Eigen::Vector3f& offset, Range range, std::uint32_t excluded,
-        NearestList& list) const;
-
   void
   searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisitor& visit, Scratch& scratch) const;
 
-  Eigen::Vector3f
-  slotVector (const std::array<std::vector<float>, 3>& columns, std::uint32_t slot) const;
+  Box
+  pointBox (const CandidateQuery& point) const;
+
+  CandidateQuery
+  slotQuery (std::uint32_t slot) const;
 
   std::size_t leaf_count_ = 1;             // a power of two; the leaves are the last leaf_count_ nodes
   std::vector<Range> ranges_;              // of the nodes; the children of node i are 2i + 1 and 2i + 2

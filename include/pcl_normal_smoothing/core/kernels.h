@@ -48,6 +48,22 @@ struct PointUpdateStep
   float* moved; // out: offsets
 };
 
+/** Points that may be neighbours; coordinates as in Positions, arrays readable up to a multiple of 16. */
+struct Candidates
+{
+  const float* base[3];
+  const float* offset[3]; // null where all are zero
+  std::size_t count;
+};
+
+/** A point and what its neighbours must not be farther than. */
+struct CandidateQuery
+{
+  float base[3];
+  float offset[3];
+  float sq_bound;
+};
+
 /** The inner loops, compiled for one instruction set. The results are the same, bit for bit, with every one of them. */
 struct Kernels
 {
@@ -55,6 +71,13 @@ struct Kernels
   void (*distance_factors) (const NodeArrays& nodes, const BlockRows& rows, float* factors);
   void (*filter_normals) (const NormalFilterStep& step, const BlockRows& rows);
   void (*update_points) (const PointUpdateStep& step, const BlockRows& rows);
+  /** Numbers of the candidates within the bound. Both outputs hold candidates.count elements, up to a multiple of 16. */
+  std::size_t (*select_near) (const Candidates& candidates,
+                              const CandidateQuery& query,
+                              float* sq_dists,
+                              std::uint32_t* selected);
+  /** How many keys are smaller than each. Both arrays have room up to a multiple of 16. */
+  void (*rank_keys) (const float* keys, std::size_t count, std::int32_t* ranks);
 };
 
 /** The kernels for this processor. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/nearest_list.h>
+#include <pcl_normal_smoothing/core/neighbor.h>
 #include <pcl_normal_smoothing/core/parallel_for.h>
 #include <pcl_normal_smoothing/core/positions.h>
 

@@ -51,6 +51,13 @@ struct PaddedAllocator
 
 using Vectors = std::vector<Eigen::Vector3f, PaddedAllocator<Eigen::Vector3f>>;
 
+/** Summed as FLANN and the kd-tree do: Eigen's squaredNorm rounds otherwise, and near ties would stand in another order. */
+inline float
+squaredLength (const Eigen::Vector3f& difference)
+{
+  return (difference.x () * difference.x () + difference.y () * difference.y ()) + difference.z () * difference.z ();
+}
+
 /** Points as unevaluated sums base + offset.
   *
   * The base is the input in float, the offset what is added to it: the rest of an input in double, and the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The table of the kernels of one instruction set; compiled once for each.
+#include "nearest.h"
 #include "normal_filter.h"
 #include "point_update.h"
 
@@ -49,6 +50,22 @@ updatePointsOfBlock (const PointUpdateStep& step, const BlockRows& rows)
     else
       updatePoints<false> (step, rows, first);
 }
+
+std::size_t
+selectNearCandidates (const Candidates& candidates,
+                      const CandidateQuery& query,
+                      float* sq_dists,
+                      std::uint32_t* selected)
+{
+  squaredDistances (candidates, query, sq_dists);
+  return selectNear (sq_dists, candidates.count, query.sq_bound, selected);
+}
+
+void
+rankAllKeys (const float* keys, std::size_t count, std::int32_t* ranks)
+{
+  rankKeys (keys, count, ranks);
+}
 } // namespace
 
 #define PCL_NORMAL_SMOOTHING_STRING(x) #x
@@ -56,7 +73,7 @@ updatePointsOfBlock (const PointUpdateStep& step, const BlockRows& rows)
 
 extern const Kernels table;
 const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA), distanceFactorsOfBlock,
-                       filterNormalsOfBlock, updatePointsOfBlock};
+                       filterNormalsOfBlock, updatePointsOfBlock, selectNearCandidates, rankAllKeys};
 } // namespace PCL_NORMAL_SMOOTHING_ISA
 } // namespace core
 } // namespace pcl_normal_smoothing

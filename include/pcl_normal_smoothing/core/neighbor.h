@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace pcl_normal_smoothing
 {
@@ -32,41 +31,5 @@ struct Neighbor
   }
 };
 
-/** The nearest neighbours seen so far, by (squared distance, rank). */
-class NearestList
-{
-public:
-  /** Empties the list.
-    * \param[in] capacity how many to keep at most
-    * \param[in] radius only what is closer is kept */
-  void
-  reset (std::size_t capacity, float radius);
-
-  /** Squared distance above which nothing enters any more. */
-  float
-  bound () const
-  {
-    return bound_.sq_dist;
-  }
-
-  void
-  insert (const Neighbor& neighbor)
-  {
-    if (neighbor < bound_)
-      place (neighbor);
-  }
-
-  /** The neighbours in order; the list takes no more until it is reset. */
-  const std::vector<Neighbor>&
-  sorted ();
-
-private:
-  void
-  place (const Neighbor& neighbor);
-
-  std::vector<Neighbor> neighbors_;
-  Neighbor bound_ {};
-  std::size_t capacity_ = 0;
-};
 } // namespace core
 } // namespace pcl_normal_smoothing

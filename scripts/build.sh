@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Installs what is missing and builds into build/, optimised.
+# usage: scripts/build.sh [target]...        default: everything, tests included
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+"$root/scripts/install_dependencies.sh"
+cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release
+cmake --build "$root/build" --parallel "$(nproc)" --target "${@:-all}"

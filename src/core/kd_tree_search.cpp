@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/kd_tree.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr float infinity = std::numeric_limits<float>::infinity ();
+constexpr auto no_slot = std::numeric_limits<std::uint32_t>::max ();
+constexpr std::size_t whole_lanes = 16;
+// Up to here counting smaller keys for every key beats a sort.
+constexpr std::size_t max_ranked = 96;
+
+float
+square (float x)
+{
+  return x * x;
+}
+
+/** The squared distances that are closer than \a radius: not at it. */
+float
+sqBoundOf (float radius)
+{
+  return std::isfinite (radius) ? std::nextafter (radius * radius, 0.0f) : infinity;
+}
+
+float
+distance (const CandidateQuery& a, const CandidateQuery& b)
+{
+  float sum = 0;
+  for (int d = 0; d < 3; ++d)
+    sum += square ((a.base[d] - b.base[d]) + (a.offset[d] - b.offset[d]));
+  return std::sqrt (sum);
+}
+} // namespace
+
+void
+KdTree::searchAll (const NeighborQuery& query, const Execution& execution, const RowVisitor& visit) const
+{
+  parallelFor (
+      leaf_count_,
+      execution,
+      [&] (std::size_t begin, std::size_t end) {
+        Scratch scratch;
+        for (std::size_t leaf = begin; leaf < end; ++leaf)
+          searchLeaf (leaf_count_ - 1 + leaf, query, visit, scratch);
+      },
+      64);
+}
+
+void
+KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisitor& visit, Scratch& scratch) const
+{
+  const Range own = ranges_[leaf];
+  const Box& box = boxes_[leaf];
+  Coordinates center;
+  for (int d = 0; d < 3; ++d)
+    center[d] = 0.5f * box.low[d] + 0.5f * box.high[d];
+  // A ball about the leaf's middle that holds k points bounds the distances of the k nearest of every point of the leaf.
+  std::size_t branch = leaf;
+  while (branch > 0 && ranges_[branch].end - ranges_[branch].begin < 2 * std::size_t (query.k))
+    branch = (branch - 1) / 2;
+  const float half_diagonal = std::sqrt (sqDistance ({box.low, box.low}, {box.high, box.high}));
+  const float ball = query.k == 0 ? infinity : ballRadius (center, branch, query.k, scratch);
+  const float reach = std::min (ball + half_diagonal, query.radius);
+  gatherCandidates (box, reach, scratch);
+
+  // Nor is the k-th neighbour farther than an earlier point's, and the way to that point.
+  const std::size_t count = query.k == 0 ? no_slot : query.k - 1;
+  constexpr float rounding = 1 + 1e-5f;
+  std::vector<std::pair<CandidateQuery, float>> earlier; // and the distance of its last neighbour
+  for (std::uint32_t slot = own.begin; slot < own.end; ++slot) {
+    CandidateQuery point = slotQuery (slot);
+    const Box at = pointBox (point);
+    float bound = std::min (reach, ball + std::sqrt (sqDistance (at, {center, center})) + 2 * slack_);
+    for (const auto& other : earlier)
+      bound = std::min (bound, distance (point, other.first) + other.second);
+    point.sq_bound = std::min (square (bound * rounding + slack_), sqBoundOf (query.radius));
+    selectNearest (point, slot, count, scratch);
+    if (scratch.row.size () == count && count > 0)
+      earlier.emplace_back (point, std::sqrt (scratch.row.back ().sq_dist));
+    visit (slot, scratch.row);
+  }
+}
+
+const std::vector<Neighbor>&
+KdTree::search (const Eigen::Vector3f& base,
+                const Eigen::Vector3f& offset,
+                const NeighborQuery& query,
+                Scratch& scratch) const
+{
+  const Coordinates at = treeCoordinates (base, offset);
+  const Box box {at, at};
+  std::size_t branch = 0; // the smallest with enough points that the point falls into
+  while (branch < leaf_count_ - 1 && ranges_[2 * branch + 1].end - ranges_[2 * branch + 1].begin >= 2 * query.k) {
+    const bool left = sqDistance (box, boxes_[2 * branch + 1]) <= sqDistance (box, boxes_[2 * branch + 2]);
+    branch = 2 * branch + (left ? 1 : 2);
+  }
+  const float ball = query.k == 0 ? infinity : ballRadius (at, branch, query.k, scratch);
+  const float reach = std::min (ball, query.radius);
+  gatherCandidates (box, reach, scratch);
+  const float sq_bound = std::min (square (reach * (1 + 1e-5f) + slack_), sqBoundOf (query.radius));
+  selectNearest ({{base.x (), base.y (), base.z ()}, {offset.x (), offset.y (), offset.z ()}, sq_bound}, no_slot,
+                 query.k == 0 ? no_slot : query.k, scratch);
+  return scratch.row;
+}
+
+float
+KdTree::ballRadius (const Coordinates& center, std::size_t branch, std::size_t k, Scratch& scratch) const
+{
+  const Range range = ranges_[branch];
+  if (range.end - range.begin < k)
+    return infinity;
+  std::vector<float>& sq_dists = scratch.keys;
+  sq_dists.clear ();
+  for (std::uint32_t slot = range.begin; slot < range.end; ++slot) {
+    const Coordinates at = pointBox (slotQuery (slot)).low;
+    sq_dists.push_back (square (at[0] - center[0]) + square (at[1] - center[1]) + square (at[2] - center[2]));
+  }
+  const auto kth = sq_dists.begin () + static_cast<std::ptrdiff_t> (k - 1);
+  std::nth_element (sq_dists.begin (), kth, sq_dists.end ());
+  return std::sqrt (*kth) * (1 + 1e-5f) + slack_;
+}
+
+void
+KdTree::gatherCandidates (const Box& box, float reach, Scratch& scratch) const
+{
+  scratch.slots.clear ();
+  for (int d = 0; d < 3; ++d) {
+    scratch.base[d].clear ();
+    scratch.offset[d].clear ();
+  }
+  const float sq_reach = square (reach * (1 + 1e-5f));
+  scratch.nodes.assign (1, 0);
+  while (!scratch.nodes.empty ()) {
+    const std::uint32_t node = scratch.nodes.back ();
+    scratch.nodes.pop_back ();
+    if (sqDistance (box, boxes_[node]) > sq_reach)
+      continue;
+    if (node < leaf_count_ - 1) {
+      scratch.nodes.push_back (2 * node + 1);
+      scratch.nodes.push_back (2 * node + 2);
+      continue;
+    }
+    const Range range = ranges_[node];
+    for (std::uint32_t slot = range.begin; slot < range.end; ++slot)
+      scratch.slots.push_back (slot);
+    for (int d = 0; d < 3; ++d) {
+      scratch.base[d].insert (scratch.base[d].end (), base_[d].begin () + range.begin, base_[d].begin () + range.end);
+      if (has_offset_)
+        scratch.offset[d].insert (scratch.offset[d].end (), offset_[d].begin () + range.begin,
+                                  offset_[d].begin () + range.end);
+    }
+  }
+  const std::size_t padded = (scratch.slots.size () + whole_lanes - 1) / whole_lanes * whole_lanes;
+  for (int d = 0; d < 3; ++d) {
+    scratch.base[d].resize (padded);
+    scratch.offset[d].resize (has_offset_ ? padded : 0);
+  }
+  scratch.sq_dists.resize (padded);
+  scratch.selected.resize (padded);
+}
+
+void
+KdTree::selectNearest (const CandidateQuery& query,
+                       std::uint32_t excluded,
+                       std::size_t count,
+                       Scratch& scratch) const
+{
+  Candidates candidates {};
+  candidates.count = scratch.slots.size ();
+  for (int d = 0; d < 3; ++d) {
+    candidates.base[d] = scratch.base[d].data ();
+    candidates.offset[d] = has_offset_ ? scratch.offset[d].data () : nullptr;
+  }
+  const std::size_t selected =
+      kernels ().select_near (candidates, query, scratch.sq_dists.data (), scratch.selected.data ());
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < selected; ++i) {
+    scratch.selected[found] = scratch.selected[i];
+    found += scratch.slots[scratch.selected[i]] != excluded;
+  }
+
+  std::vector<Neighbor>& row = scratch.row;
+  row.clear ();
+  if (found <= max_ranked && rankRow (found, count, scratch))
+    return;
+  for (std::size_t i = 0; i < found; ++i) {
+    const std::uint32_t candidate = scratch.selected[i], slot = scratch.slots[candidate];
+    row.push_back ({scratch.sq_dists[candidate], rank_[slot], slot});
+  }
+  const auto end = row.begin () + static_cast<std::ptrdiff_t> (std::min (count, row.size ()));
+  std::partial_sort (row.begin (), end, row.end ());
+  row.erase (end, row.end ());
+}
+
+bool
+KdTree::rankRow (std::size_t found, std::size_t count, Scratch& scratch) const
+{
+  scratch.keys.resize (max_ranked + whole_lanes);
+  scratch.ranks.resize (max_ranked + whole_lanes);
+  for (std::size_t i = 0; i < found; ++i)
+    scratch.keys[i] = scratch.sq_dists[scratch.selected[i]];
+  kernels ().rank_keys (scratch.keys.data (), found, scratch.ranks.data ());
+  std::vector<Neighbor>& row = scratch.row;
+  row.assign (std::min (count, found), Neighbor {0, 0, no_slot});
+  for (std::size_t i = 0; i < found; ++i) {
+    const auto rank = static_cast<std::size_t> (scratch.ranks[i]);
+    if (rank >= row.size ())
+      continue;
+    if (row[rank].slot != no_slot) { // equal distances: the sort decides
+      row.clear ();
+      return false;
+    }
+    const std::uint32_t slot = scratch.slots[scratch.selected[i]];
+    row[rank] = {scratch.keys[i], rank_[slot], slot};
+  }
+  return true;
+}
+
+float
+KdTree::sqDistance (const Box& a, const Box& b) const
+{
+  float sum = 0;
+  for (int d = 0; d < 3; ++d)
+    sum += square (std::max (std::max (a.low[d] - b.high[d], b.low[d] - a.high[d]) - slack_, 0.0f));
+  return sum;
+}
+
+KdTree::Box
+KdTree::pointBox (const CandidateQuery& point) const
+{
+  const Coordinates at = treeCoordinates (Eigen::Vector3f (point.base[0], point.base[1], point.base[2]),
+                                          Eigen::Vector3f (point.offset[0], point.offset[1], point.offset[2]));
+  return {at, at};
+}
+
+CandidateQuery
+KdTree::slotQuery (std::uint32_t slot) const
+{
+  CandidateQuery query {};
+  for (int d = 0; d < 3; ++d) {
+    query.base[d] = base_[d][slot];
+    query.offset[d] = has_offset_ ? offset_[d][slot] : 0;
+  }
+  return query;
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

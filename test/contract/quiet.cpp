@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <pcl/console/print.h>
+
+namespace
+{
+/** Tests provoke many errors and read them from getErrorMessage: the console need not repeat them. */
+class Quiet : public testing::Environment
+{
+  void
+  SetUp () override
+  {
+    pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
+  }
+};
+
+const testing::Environment* const quiet = testing::AddGlobalTestEnvironment (new Quiet);
+} // namespace

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "graph_rows.h"
+
+#include <pcl_normal_smoothing/core/smoothing.h>
+
+namespace test_support
+{
+struct Smoothed
+{
+  Vectors displacements;
+  Vectors normals;
+};
+
+/** The whole method, in the order of the cloud.
+  * \param[in] normals for NormalSource::INPUT */
+inline Smoothed
+smoothed (const Positions& cloud,
+          std::uint32_t k,
+          const pcl_normal_smoothing::core::SmoothingOptions& options,
+          const Vectors& normals = {},
+          unsigned threads = 2)
+{
+  using namespace pcl_normal_smoothing::core;
+  const Execution execution (threads);
+  const auto graph = NeighborGraph::build (cloud, {k}, execution);
+  Positions nodes = gather (cloud, graph->order ());
+  const Vectors start = nodes.offset;
+  Vectors of_nodes = normals.empty () ? Vectors () : byNode (normals, *graph);
+  const Research research = [&] (const Positions& moved) { return graph->rebuild (moved, {k}, execution); };
+  smooth (graph, options, research, execution, nodes, of_nodes);
+  return {byPoint (displacements (start, nodes), *graph), byPoint (of_nodes, *graph)};
+}
+
+inline Vectors
+sum (Vectors points, const Vectors& displacements)
+{
+  for (std::size_t i = 0; i < points.size (); ++i)
+    points[i] += displacements[i];
+  return points;
+}
+} // namespace test_support

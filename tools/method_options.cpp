@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "method_options.h"
+
+#include "field_values.h"
+#include "tool_error.h"
+
+#include <pcl_normal_smoothing/run_settings.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity ();
+constexpr std::int64_t max_iterations = 1000000;
+
+const Words<SmoothingPreset> presets {{"default", SmoothingPreset::DEFAULT},
+                                      {"fast", SmoothingPreset::FAST},
+                                      {"paper", SmoothingPreset::PAPER}};
+const Words<NormalSource> sources {{"pca", NormalSource::PCA},
+                                   {"wpca", NormalSource::WPCA},
+                                   {"hough", NormalSource::HOUGH},
+                                   {"input", NormalSource::INPUT}};
+const Words<NormalWeight> weights {{"threshold", NormalWeight::THRESHOLD},
+                                   {"gaussian", NormalWeight::GAUSSIAN},
+                                   {"mixed", NormalWeight::MIXED}};
+const Words<MixedThreshold> mixed_thresholds {{"printed", MixedThreshold::PRINTED}, {"rms", MixedThreshold::RMS}};
+const Words<UpdateRule> rules {{"paper", UpdateRule::PAPER}, {"compensated", UpdateRule::COMPENSATED}};
+const Words<FileFormat> formats {{"ascii", FileFormat::ASCII},
+                                 {"binary", FileFormat::BINARY},
+                                 {"compressed", FileFormat::COMPRESSED}};
+
+std::string
+textOf (float number)
+{
+  std::string text;
+  appendFloat (number, text);
+  return text;
+}
+
+std::string
+textOf (int number)
+{
+  return std::to_string (number);
+}
+
+std::string
+lengthOrNone (float length)
+{
+  return std::isfinite (length) ? textOf (length) : "no limit";
+}
+} // namespace
+
+std::string
+presetStandard (const std::function<std::string (const core::SmoothingOptions&)>& text)
+{
+  MethodSettings settings;
+  const std::string standard = text (settings.options ());
+  std::string all = standard;
+  for (const auto& [name, preset] : presets) {
+    settings.setPreset (preset);
+    if (text (settings.options ()) != standard)
+      all += "; preset " + name + ": " + text (settings.options ());
+  }
+  return all;
+}
+
+Standard
+standardOf (const SmoothingSettings& settings)
+{
+  return [method = settings.options ()] (const auto& text) { return text (method); };
+}
+
+void
+addPresetOptions (Options& options, SmoothingSettings& settings)
+{
+  options.add ("-preset", wordList (presets), "parameters to begin with; every other option holds over it", "default",
+               choiceOption<SmoothingPreset> (presets, [&] (auto preset) { settings.setPreset (preset); }));
+  options.add ("-normals", wordList (sources), "where the first normals come from",
+               presetStandard ([] (const auto& method) { return wordFor (sources, method.normals); }),
+               choiceOption<NormalSource> (sources, [&] (auto source) { settings.setNormalSource (source); }));
+}
+
+void
+addFilterOptions (Options& options, const Standard& standard, SmoothingSettings& settings)
+{
+  options.add ("-weights", wordList (weights), "weight of a neighbour's normal",
+               standard ([] (const auto& method) { return wordFor (weights, method.filter.weight); }),
+               choiceOption<NormalWeight> (weights, [&] (auto weight) { settings.setNormalWeight (weight); }));
+  options.add ("-mixed", wordList (mixed_thresholds), "threshold of -weights mixed: as the paper prints it, or root mean square",
+               standard ([] (const auto& method) { return wordFor (mixed_thresholds, method.filter.mixed_threshold); }),
+               choiceOption<MixedThreshold> (mixed_thresholds, [&] (auto kind) { settings.setMixedThreshold (kind); }));
+  options.add ("-threshold", "T", "of -weights threshold: cosine up to which a normal does not count, 0 to 1",
+               standard ([] (const auto& method) { return textOf (method.filter.threshold); }),
+               numberOption (0, 1, [&] (double threshold) { settings.setThreshold (threshold); }));
+  options.add ("-sigma_s", "S", "of -weights gaussian: standard deviation of the difference of two unit normals",
+               standard ([] (const auto& method) { return textOf (method.filter.sigma_s); }),
+               positiveOption ([&] (double sigma) { settings.setSigmaS (sigma); }));
+  options.add ("-normal_iterations", "N", "iterations of the normal filter",
+               standard ([] (const auto& method) { return textOf (method.filter.iterations); }),
+               integerOption (0, max_iterations, [&] (auto n) { settings.setNormalIterations (static_cast<int> (n)); }));
+}
+
+void
+addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings& settings)
+{
+  options.add ("-update", wordList (rules), "how points move; the paper's way inflates curved surfaces",
+               standard ([] (const auto& method) { return wordFor (rules, method.update.rule); }),
+               choiceOption<UpdateRule> (rules, [&] (auto rule) { settings.setUpdateRule (rule); }));
+  options.add ("-update_sigma_s", "S", "standard deviation of 1 - cosine of two normals in the point update",
+               standard ([] (const auto& method) { return textOf (method.update.sigma_s); }),
+               positiveOption ([&] (double sigma) { settings.setUpdateSigmaS (sigma); }));
+  options.add ("-point_iterations", "N", "iterations of the point update",
+               standard ([] (const auto& method) { return textOf (method.update.iterations); }),
+               integerOption (0, max_iterations, [&] (auto n) { settings.setPointIterations (static_cast<int> (n)); }));
+  options.add ("-max_displacement", "D", "farthest that a point may end from where it began, in the cloud's unit",
+               standard ([] (const auto& method) { return lengthOrNone (method.update.max_displacement); }),
+               positiveOption ([&] (double distance) { settings.setMaxDisplacement (distance); }));
+}
+
+void
+addOrientedOption (Options& options, SmoothingSettings& settings)
+{
+  options.add ("-oriented", "0|1", "1: the input's normals point to the same side everywhere, none is flipped", "0",
+               switchOption ([&] (bool oriented) { settings.setNormalsOriented (oriented); }));
+}
+
+void
+addSeedOption (Options& options, const std::string& standard, const std::function<void (std::uint64_t)>& use)
+{
+  options.add ("-seed", "N", "seed of the random numbers", standard,
+               integerOption (0, std::numeric_limits<std::int64_t>::max (),
+                              [use] (std::int64_t seed) { use (static_cast<std::uint64_t> (seed)); }));
+}
+
+void
+SearchOptions::addTo (Options& options, const std::string& standard_k)
+{
+  options.add ("-k", "N", "neighbours of a point, itself included, at least 3", standard_k + ", without -radius",
+               integerOption (3, 100000, [this] (std::int64_t number) { k = static_cast<int> (number); }));
+  options.add ("-radius", "R", "in place of -k: all neighbours closer than this, in the cloud's unit", "none",
+               positiveOption ([this] (double length) { radius = length; }));
+  options.add ("-max_radius", "R", "of the k neighbours only those closer than this, in the cloud's unit", "no limit",
+               positiveOption ([this] (double length) { max_radius = length; }));
+  options.add ("-threads", "N", "threads, 0 = all cores; the result does not depend on it", "0",
+               integerOption (0, 1024, [this] (std::int64_t number) { threads = static_cast<unsigned> (number); }));
+}
+
+core::NeighborQuery
+SearchOptions::query (int standard_k) const
+{
+  if (k > 0 && radius > 0)
+    throw UsageError ("-k and -radius are both given: give one of them, or limit -k by -max_radius");
+  return makeNeighborQuery (k == 0 && radius == 0 ? standard_k : k, radius, max_radius);
+}
+
+void
+FormatOption::addTo (Options& options)
+{
+  options.add ("-format", wordList (formats), "of the output; compressed is PCD's only", "binary",
+               choiceOption<FileFormat> (formats, [this] (auto chosen) { format = chosen; }));
+}
+
+std::string
+asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const SearchOptions& search, int preset_k)
+{
+  std::string line = "-preset " + wordFor (presets, preset) + " -normals " + wordFor (sources, method.normals);
+  if (search.radius > 0)
+    line += " -radius " + textOf (static_cast<float> (search.radius));
+  else
+    line += " -k " + std::to_string (search.k > 0 ? search.k : preset_k);
+  if (search.max_radius > 0)
+    line += " -max_radius " + textOf (static_cast<float> (search.max_radius));
+  line += " -weights " + wordFor (weights, method.filter.weight) + " -mixed " +
+          wordFor (mixed_thresholds, method.filter.mixed_threshold) + " -threshold " + textOf (method.filter.threshold) +
+          " -sigma_s " + textOf (method.filter.sigma_s) + " -normal_iterations " + textOf (method.filter.iterations) +
+          " -update " + wordFor (rules, method.update.rule) + " -update_sigma_s " + textOf (method.update.sigma_s) +
+          " -point_iterations " + textOf (method.update.iterations);
+  if (std::isfinite (method.update.max_displacement))
+    line += " -max_displacement " + textOf (method.update.max_displacement);
+  return line + " -oriented " + (method.filter.oriented ? "1" : "0") + " -seed " + std::to_string (method.hough.seed);
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud_io.h"
+#include "options.h"
+
+#include <pcl_normal_smoothing/core/nearest_list.h>
+#include <pcl_normal_smoothing/smoothing_settings.h>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+/** Parameters with public access to the preset's k. */
+class MethodSettings : public SmoothingSettings
+{
+public:
+  using SmoothingSettings::presetK;
+};
+
+/** What holds without an option: the text for the help, from a text for a set of parameters. */
+using Standard = std::function<std::string (const std::function<std::string (const core::SmoothingOptions&)>&)>;
+
+/** That of the presets. */
+std::string
+presetStandard (const std::function<std::string (const core::SmoothingOptions&)>& text);
+
+/** That of settings as they are now. */
+Standard
+standardOf (const SmoothingSettings& settings);
+
+/** -weights -mixed -threshold -sigma_s -normal_iterations */
+void
+addFilterOptions (Options& options, const Standard& standard, SmoothingSettings& settings);
+
+/** -update -update_sigma_s -point_iterations -max_displacement */
+void
+addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings& settings);
+
+/** -preset -normals */
+void
+addPresetOptions (Options& options, SmoothingSettings& settings);
+
+/** -oriented */
+void
+addOrientedOption (Options& options, SmoothingSettings& settings);
+
+/** -seed */
+void
+addSeedOption (Options& options, const std::string& standard, const std::function<void (std::uint64_t)>& use);
+
+/** -k -radius -max_radius -threads */
+struct SearchOptions
+{
+  int k = 0;
+  double radius = 0;
+  double max_radius = 0;
+  unsigned threads = 0;
+
+  /** \param[in] standard_k for the help */
+  void
+  addTo (Options& options, const std::string& standard_k);
+
+  /** \param[in] standard_k where neither k nor a radius was given
+    * \throw UsageError where both were */
+  core::NeighborQuery
+  query (int standard_k) const;
+};
+
+/** -format */
+struct FormatOption
+{
+  FileFormat format = FileFormat::BINARY;
+
+  void
+  addTo (Options& options);
+};
+
+/** All parameters of a smoothing as options that give the same smoothing again. */
+std::string
+asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const SearchOptions& search, int preset_k);
+} // namespace tools
+} // namespace pcl_normal_smoothing

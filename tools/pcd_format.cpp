@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pcd_format.h"
+
+#include "field_values.h"
+
+#include <pcl/common/io.h>
+#include <pcl/io/lzf.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+using Fields = std::vector<pcl::PCLPointField>;
+
+/** What the lines before the data say. */
+struct Header
+{
+  Fields fields; // the padding "_" among them
+  std::vector<std::uint64_t> sizes; // of one number, as SIZE gives them
+  std::uint64_t width = 0, height = 1, points = 0;
+  bool has_points = false;
+  std::size_t stride = 0;
+  std::array<float, 7> viewpoint {0, 0, 0, 1, 0, 0, 0};
+  std::string_view encoding;
+};
+
+std::uint64_t
+countFrom (std::string_view word, const char* key)
+{
+  std::uint64_t count = 0;
+  if (!parseCount (word, count))
+    throw FormatError (std::string (key) + " of its header is no whole number (" + std::string (word) + ")");
+  return count;
+}
+
+/** Hands one word for every field to \a use (field number, word). */
+template <typename Use>
+void
+forEachField (const Header& header, std::string_view line, const char* key, const Use& use)
+{
+  for (std::size_t i = 0; i < header.fields.size (); ++i) {
+    const std::string_view word = nextWord (line);
+    if (word.empty ())
+      throw FormatError (std::string (key) + " of its header has fewer entries than FIELDS");
+    use (i, word);
+  }
+}
+
+void
+readFieldLine (std::string_view key, std::string_view line, Header& header)
+{
+  if (key == "FIELDS" || key == "COLUMNS") {
+    for (std::string_view name = nextWord (line); !name.empty (); name = nextWord (line)) {
+      header.fields.emplace_back ();
+      header.fields.back ().name = name;
+      header.fields.back ().datatype = pcl::PCLPointField::FLOAT32;
+      header.fields.back ().count = 1;
+    }
+    header.sizes.assign (header.fields.size (), 4);
+  }
+  else if (key == "SIZE")
+    forEachField (header, line, "SIZE", [&] (std::size_t i, auto word) { header.sizes[i] = countFrom (word, "SIZE"); });
+  else if (key == "TYPE")
+    forEachField (header, line, "TYPE", [&] (std::size_t i, std::string_view word) {
+      const int type = header.sizes[i] <= 8 ? pcl::getFieldType (static_cast<int> (header.sizes[i]), word[0]) : -1;
+      if (type < 0)
+        throw FormatError ("SIZE and TYPE of field " + header.fields[i].name + " of its header make no type");
+      header.fields[i].datatype = static_cast<std::uint8_t> (type);
+    });
+  else if (key == "COUNT")
+    forEachField (header, line, "COUNT", [&] (std::size_t i, std::string_view word) {
+      const std::uint64_t count = countFrom (word, "COUNT");
+      if (count > max_point_bytes)
+        throw FormatError ("COUNT of field " + header.fields[i].name + " of its header is too large");
+      header.fields[i].count = static_cast<pcl::uindex_t> (count);
+    });
+}
+
+/** \return whether the data follow */
+bool
+readHeaderLine (std::string_view line, Header& header)
+{
+  const std::string_view key = nextWord (line);
+  if (key == "WIDTH")
+    header.width = countFrom (nextWord (line), "WIDTH");
+  else if (key == "HEIGHT")
+    header.height = countFrom (nextWord (line), "HEIGHT");
+  else if (key == "POINTS") {
+    header.points = countFrom (nextWord (line), "POINTS");
+    header.has_points = true;
+  }
+  else if (key == "VIEWPOINT")
+    for (float& number : header.viewpoint) {
+      if (!parseValue (nextWord (line), pcl::PCLPointField::FLOAT32, reinterpret_cast<std::uint8_t*> (&number)))
+        throw FormatError ("VIEWPOINT of its header does not hold seven numbers");
+    }
+  else if (key == "DATA")
+    header.encoding = nextWord (line);
+  else
+    readFieldLine (key, line, header);
+  return key == "DATA";
+}
+
+/** Reads the header and takes it off \a text. */
+Header
+readHeader (std::string_view& text)
+{
+  Header header;
+  bool complete = false;
+  while (!complete && !text.empty ()) {
+    // A file of another kind is told by its first lines, not by a search for DATA through all of it.
+    if (header.fields.empty () && text.substr (0, 4096).find ("FIELDS") == std::string_view::npos &&
+        text.substr (0, 4096).find ("COLUMNS") == std::string_view::npos)
+      break;
+    complete = readHeaderLine (nextLine (text), header);
+  }
+  if (!complete || header.fields.empty ())
+    throw FormatError ("is no PCD file, its header lacks FIELDS or DATA");
+  if (header.has_points && header.width == 0 && header.height <= 1)
+    header.width = header.points;
+  if (header.width > max_points || header.height > max_points || header.width * header.height > max_points)
+    throw FormatError ("its header claims more points than PCL can count");
+  if (header.has_points && header.points != header.width * header.height)
+    throw FormatError ("WIDTH times HEIGHT of its header is not POINTS");
+  header.points = header.width * header.height;
+  if (header.encoding == "binary_compressed") // holds no padding
+    header.fields.erase (std::remove_if (header.fields.begin (), header.fields.end (),
+                                         [] (const auto& field) { return field.name == "_"; }),
+                         header.fields.end ());
+  for (std::size_t i = 0; i < header.fields.size (); ++i) {
+    header.fields[i].offset = static_cast<pcl::uindex_t> (header.stride);
+    header.stride += header.fields[i].count * sizeOfType (header.fields[i].datatype);
+    if (header.stride > max_point_bytes)
+      throw FormatError ("its header claims points of more than 16 megabytes");
+  }
+  return header;
+}
+
+void
+requireBytes (std::uint64_t available, std::uint64_t points, std::uint64_t bytes_per_point)
+{
+  if (bytes_per_point > 0 && points > available / bytes_per_point)
+    throw FormatError ("is truncated, it holds less than the " + std::to_string (points) +
+                       " points that its header claims");
+}
+
+void
+readAscii (std::string_view text, const Header& header, std::vector<std::uint8_t>& data)
+{
+  std::size_t words = 0;
+  for (const auto& field : header.fields)
+    words += field.count;
+  requireBytes (text.size () + 1, header.points, 2 * words); // a word and what parts it from the next
+  data.resize (header.points * header.stride);
+  for (std::size_t i = 0; i < header.points; ++i) {
+    std::string_view line;
+    while (line.find_first_not_of (" \t") == std::string_view::npos && !text.empty ())
+      line = nextLine (text);
+    for (const auto& field : header.fields) {
+      std::uint8_t* value = data.data () + i * header.stride + field.offset;
+      const std::size_t size = sizeOfType (field.datatype);
+      for (std::size_t c = 0; c < field.count; ++c, value += size) {
+        const std::string_view word = nextWord (line);
+        if (!parseValue (word, field.datatype, value))
+          throw FormatError ("field " + field.name + " of point " + std::to_string (i) +
+                             (word.empty () ? " is missing" : " is no number of its type (" + std::string (word) + ")"));
+      }
+    }
+    if (!nextWord (line).empty ())
+      throw FormatError ("the line of point " + std::to_string (i) + " has more values than there are fields");
+  }
+}
+
+/** All values of the first field, then all of the second, and so on, in one LZF block behind two sizes. */
+void
+readCompressed (std::string_view bytes, const Header& header, std::vector<std::uint8_t>& data)
+{
+  std::uint32_t sizes[2] = {0, 0};
+  if (bytes.size () < sizeof sizes)
+    throw FormatError ("is truncated, it ends before its data");
+  std::memcpy (sizes, bytes.data (), sizeof sizes);
+  bytes.remove_prefix (sizeof sizes);
+  std::uint64_t expected = 0;
+  for (const auto& field : header.fields)
+    expected += header.points * field.count * sizeOfType (field.datatype);
+  // LZF makes at most 264 bytes of 3.
+  if (sizes[0] > bytes.size () || sizes[1] != expected || expected / 88 > sizes[0])
+    throw FormatError ("is truncated or damaged, its compressed data do not have the size that its header claims");
+  std::vector<std::uint8_t> columns (expected);
+  if (expected > 0 && pcl::lzfDecompress (bytes.data (), sizes[0], columns.data (), sizes[1]) != expected)
+    throw FormatError ("its compressed data are damaged");
+  data.resize (header.points * header.stride);
+  const std::uint8_t* from = columns.data ();
+  for (const auto& field : header.fields) {
+    const std::size_t size = field.count * sizeOfType (field.datatype);
+    for (std::size_t i = 0; i < header.points && size > 0; ++i, from += size)
+      std::memcpy (data.data () + i * header.stride + field.offset, from, size);
+  }
+}
+} // namespace
+
+void
+readPcd (const std::string& bytes, CloudFile& file)
+{
+  std::string_view body = bytes;
+  const Header header = readHeader (body);
+  pcl::PCLPointCloud2& cloud = *file.cloud;
+  if (header.encoding == "binary_compressed")
+    readCompressed (body, header, cloud.data);
+  else if (header.encoding == "binary") {
+    requireBytes (body.size (), header.points, header.stride);
+    cloud.data.assign (body.begin (), body.begin () + static_cast<std::ptrdiff_t> (header.points * header.stride));
+  }
+  else if (header.encoding == "ascii")
+    readAscii (body, header, cloud.data);
+  else
+    throw FormatError ("DATA of its header is neither ascii nor binary nor binary_compressed");
+  for (const auto& field : header.fields)
+    if (field.name != "_" && field.count > 0)
+      cloud.fields.push_back (field);
+  cloud.width = static_cast<pcl::uindex_t> (header.width);
+  cloud.height = static_cast<pcl::uindex_t> (header.height);
+  cloud.point_step = static_cast<pcl::uindex_t> (header.stride);
+  cloud.row_step = cloud.width * cloud.point_step;
+  const auto& v = header.viewpoint;
+  file.origin = Eigen::Vector4f (v[0], v[1], v[2], 0);
+  file.orientation = Eigen::Quaternionf (v[3], v[4], v[5], v[6]);
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

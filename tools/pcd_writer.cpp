@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field_values.h"
+#include "pcd_format.h"
+
+#include <pcl/common/io.h>
+#include <pcl/io/lzf.h>
+
+#include <cstring>
+#include <limits>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+std::size_t
+bytesOf (const pcl::PCLPointField& field)
+{
+  return std::max<std::size_t> (field.count, 1) * sizeOfType (field.datatype);
+}
+
+/** Type of a field in the file. Packed colours are written as the integer that they are: most are NaN as a float, and
+  * text does not tell one NaN from another. PCL's writer does the same, and its reader takes both. */
+std::uint8_t
+typeIn (FileFormat format, const pcl::PCLPointField& field)
+{
+  const bool colour = (field.name == "rgb" || field.name == "rgba") && field.datatype == pcl::PCLPointField::FLOAT32;
+  return colour && format == FileFormat::ASCII ? std::uint8_t (pcl::PCLPointField::UINT32) : field.datatype;
+}
+
+std::string
+header (const CloudFile& file, FileFormat format)
+{
+  std::string names, sizes, types, counts;
+  for (const auto& field : file.cloud->fields) {
+    const std::uint8_t type = typeIn (format, field);
+    names += " " + field.name;
+    sizes += " " + std::to_string (sizeOfType (type));
+    types += std::string (" ") + pcl::getFieldType (type);
+    counts += " " + std::to_string (std::max<std::size_t> (field.count, 1));
+  }
+  std::string text = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" + names + "\nSIZE" + sizes +
+                     "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " + std::to_string (file.cloud->width) +
+                     "\nHEIGHT " + std::to_string (file.cloud->height) + "\nVIEWPOINT";
+  const Eigen::Quaternionf& q = file.orientation;
+  for (const float number : {file.origin[0], file.origin[1], file.origin[2], q.w (), q.x (), q.y (), q.z ()}) {
+    text += ' ';
+    appendFloat (number, text);
+  }
+  const char* encoding = format == FileFormat::ASCII ? "ascii"
+                         : format == FileFormat::BINARY ? "binary"
+                                                        : "binary_compressed";
+  return text + "\nPOINTS " + std::to_string (file.size ()) + "\nDATA " + encoding + "\n";
+}
+
+std::string_view
+fieldBytes (const pcl::PCLPointCloud2& cloud, std::size_t i, const pcl::PCLPointField& field)
+{
+  const std::uint8_t* value = cloud.data.data () + i * cloud.point_step + field.offset;
+  return {reinterpret_cast<const char*> (value), bytesOf (field)};
+}
+
+void
+writeAscii (const CloudFile& file, OutputFile& output)
+{
+  std::string line;
+  for (std::size_t i = 0; i < file.size (); ++i) {
+    line.clear ();
+    for (const auto& field : file.cloud->fields) {
+      const std::uint8_t type = typeIn (FileFormat::ASCII, field);
+      const std::string_view bytes = fieldBytes (*file.cloud, i, field);
+      for (std::size_t at = 0; at < bytes.size (); at += sizeOfType (type)) {
+        line += line.empty () ? "" : " ";
+        appendValue (reinterpret_cast<const std::uint8_t*> (bytes.data ()) + at, type, line);
+      }
+    }
+    output.write (line + "\n");
+  }
+}
+
+void
+writeBinary (const CloudFile& file, OutputFile& output)
+{
+  for (std::size_t i = 0; i < file.size (); ++i)
+    for (const auto& field : file.cloud->fields)
+      output.write (fieldBytes (*file.cloud, i, field));
+}
+
+void
+writeCompressed (const CloudFile& file, OutputFile& output)
+{
+  std::string columns;
+  for (const auto& field : file.cloud->fields)
+    for (std::size_t i = 0; i < file.size (); ++i)
+      columns += fieldBytes (*file.cloud, i, field);
+  // LZF makes data that do not shrink a thirtieth longer.
+  const std::size_t capacity = columns.size () + columns.size () / 16 + 64;
+  if (capacity > std::numeric_limits<std::uint32_t>::max ())
+    throw FormatError ("a compressed PCD file holds 4 gigabytes at most, the cloud has more");
+  std::string block (capacity, '\0');
+  const std::uint32_t sizes[2] = {pcl::lzfCompress (columns.data (), static_cast<unsigned> (columns.size ()),
+                                                    block.data (), static_cast<unsigned> (capacity)),
+                                  static_cast<std::uint32_t> (columns.size ())};
+  if (sizes[0] == 0 && !columns.empty ())
+    throw FormatError ("the cloud cannot be compressed");
+  output.write ({reinterpret_cast<const char*> (sizes), sizeof sizes});
+  output.write (std::string_view (block).substr (0, sizes[0]));
+}
+} // namespace
+
+void
+writePcd (const CloudFile& file, FileFormat format, OutputFile& output)
+{
+  output.write (header (file, format));
+  if (format == FileFormat::ASCII)
+    writeAscii (file, output);
+  else if (format == FileFormat::BINARY)
+    writeBinary (file, output);
+  else
+    writeCompressed (file, output);
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud_io.h"
+#include "output_file.h"
+#include "pcd_format.h"
+
+#include <string_view>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+/** One property of an element of a PLY file. */
+struct PlyProperty
+{
+  std::string name;
+  std::uint8_t datatype = 0;  // of pcl::PCLPointField
+  std::uint8_t list_type = 0; // of the number that says how long a list is; 0 = no list
+};
+
+struct PlyElement
+{
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader
+{
+  enum class Encoding
+  {
+    ASCII,
+    LITTLE_ENDIAN_BYTES,
+    BIG_ENDIAN_BYTES
+  };
+
+  Encoding encoding = Encoding::ASCII;
+  std::vector<PlyElement> elements;
+};
+
+/** Reads the header and takes it off \a text.
+  * \throw FormatError where it is none, or claims more elements than \a text has room for */
+PlyHeader
+readPlyHeader (std::string_view& text);
+
+/** Reads the vertices of a PLY file as PCL names them (nx: normal_x; red, green, blue: rgb), with the viewpoint, width and
+  * height that a camera element says. \throw FormatError */
+void
+readPly (const std::string& bytes, CloudFile& file);
+
+/** \throw FormatError where PLY cannot hold a field */
+void
+writePly (const CloudFile& file, FileFormat format, OutputFile& output);
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mesh_io.h"
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+enum class NoiseType
+{
+  GN, //!< along the area-weighted normal of the vertex, by N(0, sigma)
+  GR  //!< along a uniformly random direction, by N(0, sigma)
+};
+
+/** Moves the vertices by noise of standard deviation \a sigma, in the mesh's unit. The same on every machine for the same
+  * seed; a vertex moves the same way whatever comes after it. */
+std::vector<Eigen::Vector3d>
+noisyVertices (const Mesh& mesh, NoiseType type, double sigma, std::uint64_t seed);
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool.h"
+
+#include "output_file.h"
+#include "tool_error.h"
+
+#include <pcl/console/print.h>
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <new>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+enum ExitStatus
+{
+  DONE = 0,
+  WRONG_USAGE = 1,
+  FILE_TROUBLE = 2,
+  DATA_TROUBLE = 3
+};
+
+std::string tool_name;
+
+/** Ends the tool at once, wherever it is: a flag would wait for a long search or a pipe that nobody reads. Only calls that
+  * are safe in a signal handler. */
+extern "C" void
+endInterrupted (int signal)
+{
+  removeTemporaryFile ();
+  _exit (128 + signal);
+}
+
+void
+handleSignals ()
+{
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before;
+    sigaction (signal, nullptr, &before);
+    if (before.sa_handler == SIG_IGN) // in the background, or under nohup
+      continue;
+    struct sigaction action {};
+    action.sa_handler = endInterrupted;
+    sigfillset (&action.sa_mask);
+    sigaction (signal, &action, nullptr);
+  }
+  // A file that may not grow or a pipe that nobody reads is an error of writing, with a message.
+  for (const int signal : {SIGXFSZ, SIGPIPE})
+    std::signal (signal, SIG_IGN);
+}
+
+int
+fail (ExitStatus status, const std::string& message)
+{
+  note (message);
+  return status;
+}
+
+/** A message about data, with the file that they are from. */
+std::string
+ofFile (const Options& options, const std::string& message)
+{
+  return options.file (0) + ": " + message;
+}
+} // namespace
+
+void
+note (const std::string& message)
+{
+  std::fprintf (stderr, "%s: %s\n", tool_name.c_str (), message.c_str ());
+}
+
+ProgressCallback
+progressOnTerminal ()
+{
+  if (!isatty (STDERR_FILENO))
+    return {};
+  return [shown = -1] (double done) mutable {
+    const int percent = static_cast<int> (100 * done);
+    if (percent != shown)
+      std::fprintf (stderr, percent < 100 ? "\r%3d %%" : "\r     \r", percent);
+    shown = percent;
+    return true;
+  };
+}
+
+int
+runTool (int argc, char** argv, Tool& tool)
+{
+  tool_name = std::filesystem::path (argv[0]).filename ().string ();
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // every message comes from here
+  handleSignals ();
+  Options options;
+  try {
+    tool.describe (options);
+    if (options.parse (argc, argv))
+      tool.work (options);
+    if (std::fflush (stdout) != 0)
+      throw FileError ("the standard output", "cannot be written", "free some space, or send it elsewhere");
+    return DONE;
+  }
+  catch (const UsageError& error) {
+    return fail (WRONG_USAGE, error.what ());
+  }
+  catch (const FileError& error) {
+    return fail (FILE_TROUBLE, error.what ());
+  }
+  catch (const std::bad_alloc&) {
+    return fail (DATA_TROUBLE, ofFile (options, "there is not enough memory: give it in parts, or take a smaller k"));
+  }
+  catch (const std::exception& error) {
+    return fail (DATA_TROUBLE, ofFile (options, error.what ()));
+  }
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

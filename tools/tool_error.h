@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+/** The command line cannot be understood: exit status 1. */
+struct UsageError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/** A file cannot be read or written: exit status 2. Data that cannot be worked on are a core::Error: exit status 3. */
+struct FileError : std::runtime_error
+{
+  /** \param[in] what is wrong
+    * \param[in] advice what to do */
+  FileError (const std::string& file, const std::string& what, const std::string& advice)
+  : std::runtime_error (file + ": " + what + ": " + advice)
+  {}
+};
+} // namespace tools
+} // namespace pcl_normal_smoothing
