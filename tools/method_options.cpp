@@ -53,20 +53,33 @@ lengthOrNone (float length)
 {
   return std::isfinite (length) ? textOf (length) : "no limit";
 }
+
+/** A text for the default preset, and those of the others where they differ. */
+std::string
+ofPresets (const std::function<std::string (const MethodSettings&)>& text)
+{
+  MethodSettings settings;
+  const std::string standard = text (settings);
+  std::string all = standard;
+  for (const auto& [name, preset] : presets) {
+    settings.setPreset (preset);
+    if (text (settings) != standard)
+      all += "; preset " + name + ": " + text (settings);
+  }
+  return all;
+}
 } // namespace
 
 std::string
 presetStandard (const std::function<std::string (const core::SmoothingOptions&)>& text)
 {
-  MethodSettings settings;
-  const std::string standard = text (settings.options ());
-  std::string all = standard;
-  for (const auto& [name, preset] : presets) {
-    settings.setPreset (preset);
-    if (text (settings.options ()) != standard)
-      all += "; preset " + name + ": " + text (settings.options ());
-  }
-  return all;
+  return ofPresets ([&] (const MethodSettings& settings) { return text (settings.options ()); });
+}
+
+std::string
+presetStandardK ()
+{
+  return ofPresets ([] (const MethodSettings& settings) { return std::to_string (settings.presetK ()); });
 }
 
 Standard
@@ -140,7 +153,7 @@ addSeedOption (Options& options, const std::string& standard, const std::functio
 void
 SearchOptions::addTo (Options& options, const std::string& standard_k)
 {
-  options.add ("-k", "N", "neighbours of a point, itself included, at least 3", standard_k + ", without -radius",
+  options.add ("-k", "N", "neighbours of a point, itself included, at least 3", standard_k,
                integerOption (3, 100000, [this] (std::int64_t number) { k = static_cast<int> (number); }));
   options.add ("-radius", "R", "in place of -k: all neighbours closer than this, in the cloud's unit", "none",
                positiveOption ([this] (double length) { radius = length; }));

@@ -25,6 +25,10 @@ using Standard = std::function<std::string (const std::function<std::string (con
 std::string
 presetStandard (const std::function<std::string (const core::SmoothingOptions&)>& text);
 
+/** k of the presets, for the help. */
+std::string
+presetStandardK ();
+
 /** That of settings as they are now. */
 Standard
 standardOf (const SmoothingSettings& settings);

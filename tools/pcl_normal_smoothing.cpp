@@ -26,7 +26,7 @@ class NormalSmoothingTool : public tools::Tool
     options.describe ("Smooths the points of a noisy surface without rounding its edges; keeps every other field.",
                       {"input.pcd|ply", "output.pcd|ply"});
     tools::addPresetOptions (options, smoothing_);
-    search_.addTo (options, "that of the preset, " + std::to_string (smoothing_.presetK ()));
+    search_.addTo (options, tools::presetStandardK ());
     tools::addFilterOptions (options, tools::presetStandard, smoothing_);
     tools::addUpdateOptions (options, tools::presetStandard, smoothing_);
     tools::addOrientedOption (options, smoothing_);

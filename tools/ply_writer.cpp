@@ -2,7 +2,7 @@
 #include "field_values.h"
 #include "ply_format.h"
 
-#include <cstring>
+#include <algorithm>
 
 namespace pcl_normal_smoothing
 {
@@ -126,7 +126,9 @@ addCamera (const CloudFile& file, Record& record)
   const auto add = [&] (float number) { record.add (Field::FLOAT32, &number); };
   for (int d = 0; d < 3; ++d)
     add (file.origin[d]);
-  const Eigen::Matrix3f axes = file.orientation.normalized ().toRotationMatrix ();
+  const bool turned = file.orientation.norm () > 0;
+  const Eigen::Quaternionf pose = turned ? file.orientation.normalized () : Eigen::Quaternionf::Identity ();
+  const Eigen::Matrix3f axes = pose.toRotationMatrix ();
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
       add (axes (row, column));

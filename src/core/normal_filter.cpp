@@ -44,7 +44,7 @@ filterNormals (const NeighborGraph& graph,
     step.filtered = filtered.data ()->data ();
     forEachBlock (graph, execution.part (iteration, iteration + 1, options.iterations), [&] (const BlockRows& rows) {
       if (iteration == 0)
-        kernels ().distance_factors (step.nodes, rows, distance_factors.data ());
+        kernels ().distance_factors ({step.nodes, distance_factors.data ()}, rows);
       kernels ().filter_normals (step, rows);
     });
     normals.swap (filtered);

@@ -47,6 +47,7 @@ updatePoints (NeighborGraph::ConstPtr graph,
   PointUpdateStep step {};
   step.start = start.data ()->data ();
   step.compensated = options.rule == UpdateRule::COMPENSATED;
+  step.reach_scale = 1;
   step.normal_factor = 1 / (2 * options.sigma_s * options.sigma_s);
   step.oriented = options.oriented;
   step.max_displacement = options.max_displacement;

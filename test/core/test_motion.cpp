@@ -70,7 +70,7 @@ protected:
       farthest = std::max (farthest, difference.norm ());
     }
     if (isRandom ())
-      EXPECT_LT (std::sqrt (sum_sq / static_cast<double> (cloud_.size ())), 0.2 * noise);
+      EXPECT_LT (std::sqrt (sum_sq / static_cast<double> (cloud_.size ())), 0.3 * noise);
     else
       EXPECT_LT (farthest, 1e-5 * diagonal (cloud_));
   }
@@ -118,7 +118,7 @@ TEST_P (MotionTest, FarFromTheOriginItIsTheSame)
   double sum_sq = 0;
   for (std::size_t i = 0; i < here.size (); ++i)
     sum_sq += (far.displacements[i] - near.displacements[i]).squaredNorm ();
-  EXPECT_LT (std::sqrt (sum_sq / static_cast<double> (here.size ())), 0.2 * 1000 * noise);
+  EXPECT_LT (std::sqrt (sum_sq / static_cast<double> (here.size ())), 0.3 * 1000 * noise);
 }
 
 TEST_P (MotionTest, DoublesFarFromTheOriginKeepTheirShape)
@@ -135,7 +135,7 @@ TEST_P (MotionTest, DoublesFarFromTheOriginKeepTheirShape)
   for (std::size_t i = 0; i < cloud_.size (); ++i)
     sum_sq += (far.displacements[i] - near.displacements[i]).squaredNorm ();
   const double rms = std::sqrt (sum_sq / static_cast<double> (cloud_.size ()));
-  EXPECT_LT (rms, isRandom () ? 0.2 * noise : 1e-5 * diagonal (cloud_));
+  EXPECT_LT (rms, isRandom () ? 0.3 * noise : 1e-5 * diagonal (cloud_));
 }
 
 TEST_P (MotionTest, DoesNotDependOnTheThreadsOrTheOrder)

@@ -116,8 +116,7 @@ TEST_P (NormalFilterTest, AMissingNormalStaysMissingAndDoesNotCount)
   const Vectors result = filteredByPoint (shape_.points, normals, 10, options (3));
   for (std::size_t i = 0; i < normals.size (); ++i) {
     EXPECT_EQ (std::isnan (result[i].x ()), i % 5 == 0) << "point " << i;
-    if (i % 5 != 0)
-      EXPECT_GT (result[i].dot (normals[i]), 0.7) << "point " << i;
+    EXPECT_TRUE (i % 5 == 0 || result[i].dot (normals[i]) > 0.7) << "point " << i;
   }
 }
 

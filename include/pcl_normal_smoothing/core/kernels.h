@@ -23,6 +23,20 @@ struct NodeArrays
   const float* normals;
 };
 
+/** Computes a number of every node. */
+struct NumberOfNodes
+{
+  NodeArrays nodes;
+  float* numbers; // out
+};
+
+/** Computes a normal of every node. */
+struct NormalOfNodes
+{
+  NodeArrays nodes;
+  float* normals; // out
+};
+
 /** One iteration of the normal filter: see core/normal_filter.h. */
 struct NormalFilterStep
 {
@@ -42,10 +56,43 @@ struct PointUpdateStep
   NodeArrays nodes;
   const float* start; // offsets before the first iteration
   bool compensated;
-  float normal_factor; // 1 / (2 sigma_s^2)
+  bool robust;           // only compensated: neighbours weigh by their height too
+  float reach_scale;     // of 1 / (2 sigma_c^2)
+  float normal_factor;   // 1 / (2 sigma_s^2)
+  float residual_factor; // robust: 1 / (2 sigma^2) of the height
   bool oriented;
   float max_displacement;
   float* moved; // out: offsets
+};
+
+/** One fit of the normals: see core/robust_smoothing.h. */
+struct QuadricFitStep
+{
+  NodeArrays nodes;
+  int solves;
+  bool turn_frame;       // to the first fit
+  bool by_normal;        // neighbours weigh by their normal too
+  bool oriented;
+  float residual_factor; // 1 / (2 sigma^2) of the distance from the last fit
+  float ridge;
+  float* fitted;         // out
+};
+
+/** How much of a proposed step to take: see core/robust_smoothing.h. */
+struct StepControl
+{
+  NodeArrays nodes;
+  const float* start;     // offsets before the first round
+  const float* reference; // offsets from which the risk is measured
+  const float* proposed;  // offsets
+  bool oriented;
+  const std::uint32_t* first_neighbor; // of the first block
+  std::uint8_t* weights;               // of all neighbours
+  float* risks;                        // a vector a node
+  float* averaged;                     // out of average_risks
+  float gain;
+  float max_displacement;
+  float* taken; // out of take_steps: offsets
 };
 
 /** Points that may be neighbours; coordinates as in Positions, arrays readable up to a multiple of 16. */
@@ -68,9 +115,16 @@ struct CandidateQuery
 struct Kernels
 {
   const char* name;
-  void (*distance_factors) (const NodeArrays& nodes, const BlockRows& rows, float* factors);
+  void (*distance_factors) (const NumberOfNodes& factors, const BlockRows& rows);
   void (*filter_normals) (const NormalFilterStep& step, const BlockRows& rows);
   void (*update_points) (const PointUpdateStep& step, const BlockRows& rows);
+  void (*start_normals) (const NormalOfNodes& normals, const BlockRows& rows);
+  void (*residual_variances) (const NumberOfNodes& variances, const BlockRows& rows);
+  void (*fit_normals) (const QuadricFitStep& step, const BlockRows& rows);
+  void (*step_risks) (const StepControl& control, const BlockRows& rows);
+  void (*averaging_weights) (const StepControl& control, const BlockRows& rows);
+  void (*average_risks) (const StepControl& control, const BlockRows& rows);
+  void (*take_steps) (const StepControl& control, const BlockRows& rows);
   /** Numbers of the candidates within the bound. Both outputs hold candidates.count elements, up to a multiple of 16. */
   std::size_t (*select_near) (const Candidates& candidates,
                               const CandidateQuery& query,

@@ -23,17 +23,18 @@ pointSearch (const typename pcl::search::Search<PointT>::Ptr& search,
     if (pcl::isXYZFinite ((*cloud)[i]))
       finite->push_back (static_cast<pcl::index_t> (i));
   const bool all = finite->size () == cloud->size ();
+  // Never more than there are: k may be absurd, and the vectors are made that long beforehand.
+  const std::size_t k = std::min<std::size_t> (query.k, finite->size ());
   search->setInputCloud (cloud, all ? pcl::IndicesConstPtr () : finite);
 
-  return [search, query] (const PointT& point, std::vector<std::uint32_t>& neighbors) {
-    pcl::Indices found (query.k);
-    std::vector<float> sq_dists (query.k);
-    if (query.k > 0)
-      search->nearestKSearch (point, static_cast<int> (query.k), found, sq_dists);
-    else
-      search->radiusSearch (point, query.radius, found, sq_dists);
+  return [search, query, k] (const PointT& point, std::vector<std::uint32_t>& neighbors) {
+    pcl::Indices found (k);
+    std::vector<float> sq_dists (k);
+    const int count = query.k > 0 ? search->nearestKSearch (point, static_cast<int> (k), found, sq_dists)
+                                  : search->radiusSearch (point, query.radius, found, sq_dists);
     neighbors.clear ();
-    for (std::size_t j = 0; j < found.size (); ++j)
+    // The vectors may be longer than what was found.
+    for (std::size_t j = 0; j < std::min (found.size (), static_cast<std::size_t> (std::max (0, count))); ++j)
       if (query.k == 0 || !(sq_dists[j] >= query.radius * query.radius))
         neighbors.push_back (static_cast<std::uint32_t> (found[j]));
   };

@@ -4,6 +4,8 @@
 #include "nearest.h"
 #include "normal_filter.h"
 #include "point_update.h"
+#include "quadric_fit.h"
+#include "step_control.h"
 
 namespace pcl_normal_smoothing
 {
@@ -13,42 +15,38 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 {
 namespace
 {
-constexpr int block_size = 16;
+template <typename Arguments>
+using LanesKernel = void (*) (const Arguments&, const BlockRows&, int);
 
+/** Runs a kernel on all lanes of a block. */
+template <typename Arguments, LanesKernel<Arguments> kernel>
 void
-distanceFactorsOfBlock (const NodeArrays& nodes, const BlockRows& rows, float* factors)
+onBlock (const Arguments& arguments, const BlockRows& rows)
 {
-  for (int first = 0; first < block_size; first += lane_count)
-    distanceFactors (nodes, rows, first, factors);
-}
-
-template <int weight_kind>
-void
-filterBlock (const NormalFilterStep& step, const BlockRows& rows)
-{
-  for (int first = 0; first < block_size; first += lane_count)
-    filterNormals<weight_kind> (step, rows, first);
+  for (int first_lane = 0; first_lane < 16; first_lane += lane_count)
+    kernel (arguments, rows, first_lane);
 }
 
 void
 filterNormalsOfBlock (const NormalFilterStep& step, const BlockRows& rows)
 {
   if (step.weight == 0)
-    filterBlock<0> (step, rows);
+    onBlock<NormalFilterStep, filterNormals<0>> (step, rows);
   else if (step.weight == 1)
-    filterBlock<1> (step, rows);
+    onBlock<NormalFilterStep, filterNormals<1>> (step, rows);
   else
-    filterBlock<2> (step, rows);
+    onBlock<NormalFilterStep, filterNormals<2>> (step, rows);
 }
 
 void
 updatePointsOfBlock (const PointUpdateStep& step, const BlockRows& rows)
 {
-  for (int first = 0; first < block_size; first += lane_count)
-    if (step.compensated)
-      updatePoints<true> (step, rows, first);
-    else
-      updatePoints<false> (step, rows, first);
+  if (step.robust)
+    onBlock<PointUpdateStep, updatePoints<true, true>> (step, rows);
+  else if (step.compensated)
+    onBlock<PointUpdateStep, updatePoints<true, false>> (step, rows);
+  else
+    onBlock<PointUpdateStep, updatePoints<false, false>> (step, rows);
 }
 
 std::size_t
@@ -72,8 +70,19 @@ rankAllKeys (const float* keys, std::size_t count, std::int32_t* ranks)
 #define PCL_NORMAL_SMOOTHING_NAME(x) PCL_NORMAL_SMOOTHING_STRING (x)
 
 extern const Kernels table;
-const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA), distanceFactorsOfBlock,
-                       filterNormalsOfBlock, updatePointsOfBlock, selectNearCandidates, rankAllKeys};
+const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA),
+                       onBlock<NumberOfNodes, distanceFactors>,
+                       filterNormalsOfBlock,
+                       updatePointsOfBlock,
+                       onBlock<NormalOfNodes, startNormals>,
+                       onBlock<NumberOfNodes, residualVariances>,
+                       onBlock<QuadricFitStep, fitNormals>,
+                       onBlock<StepControl, stepRisks>,
+                       onBlock<StepControl, averagingWeights>,
+                       onBlock<StepControl, averageRisks>,
+                       onBlock<StepControl, takeSteps>,
+                       selectNearCandidates,
+                       rankAllKeys};
 } // namespace PCL_NORMAL_SMOOTHING_ISA
 } // namespace core
 } // namespace pcl_normal_smoothing

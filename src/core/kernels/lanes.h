@@ -33,6 +33,7 @@ constexpr int lane_count = 4;
   * the number of lanes. Comparisons give a Mask, and mask ? a : b chooses lane by lane. */
 typedef float Lanes __attribute__ ((vector_size (4 * lane_count), aligned (4)));
 typedef std::int32_t Mask __attribute__ ((vector_size (4 * lane_count), aligned (4)));
+typedef std::uint8_t Bytes __attribute__ ((vector_size (lane_count), aligned (1)));
 typedef float Four __attribute__ ((vector_size (16), aligned (4)));
 
 struct Lanes3

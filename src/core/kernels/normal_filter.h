@@ -13,10 +13,10 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 {
 /** 1 / (2 sigma_c^2) of eq. 5, sigma_c the mean distance to the other points of the row; 0 where that is 0. */
 LANES_INLINE void
-distanceFactors (const NodeArrays& nodes, const BlockRows& rows, int first, float* factors)
+distanceFactors (const NumberOfNodes& factors, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const Points points (nodes.base, nodes.offset, own);
+  const Points points (factors.nodes.base, factors.nodes.offset, own);
   Lanes sum = {}, count = {};
   for (std::size_t j = 1; j < rows.length; ++j) {
     const std::uint32_t* neighbor = own + 16 * j;
@@ -26,7 +26,7 @@ distanceFactors (const NodeArrays& nodes, const BlockRows& rows, int first, floa
     count += one;
   }
   const Lanes sigma_c = sum / count;
-  store1 (factors, own, sum > 0 ? 1 / (2 * (sigma_c * sigma_c)) : splat (0));
+  store1 (factors.numbers, own, sum > 0 ? 1 / (2 * (sigma_c * sigma_c)) : splat (0));
 }
 
 /** n_i.s n_j; turns n_j to s n_j, the side of n_i. */

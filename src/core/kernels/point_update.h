@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "local_points.h"
 #include "normal_filter.h"
 
 namespace pcl_normal_smoothing
@@ -21,24 +22,16 @@ reachFactor (const Points& points, const BlockRows& rows, const std::uint32_t* o
   return farthest > 0 ? 1 / (2 * farthest) : splat (0);
 }
 
-/** \a displacement, shortened to at most \a limit. */
-LANES_INLINE Lanes3
-capped (Lanes3 displacement, float limit)
-{
-  const Lanes length = squareRoot (dot (displacement, displacement));
-  const Lanes scale = length > limit ? limit / length : splat (1);
-  return scale * displacement;
-}
-
-/** One iteration of eq. 8 (Sun et al. 2007), or of its compensated form. */
-template <bool compensated>
+/** One iteration of eq. 8 (Sun et al. 2007), or of its compensated form; robust: with a weight for the height of the
+  * neighbour too. */
+template <bool compensated, bool robust>
 LANES_INLINE void
 updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
   const Lanes3 own_normal = load3 (step.nodes.normals, own);
-  const Lanes reach_factor = reachFactor (points, rows, own);
+  const Lanes reach_factor = reachFactor (points, rows, own) * step.reach_scale;
   Lanes3 sum = {};
   Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself: it adds nothing above
   for (std::size_t j = 1; j < rows.length; ++j) {
@@ -46,10 +39,11 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
     const Lanes3 difference = points.difference (neighbor);
     Lanes3 normal = load3 (step.nodes.normals, neighbor);
     const Lanes x = 1 - turn (normal, own_normal, step.oriented);
-    // Eq. 9, the two Gaussians in one exponential.
-    Lanes weight = expOfMinus (dot (difference, difference) * reach_factor + x * x * step.normal_factor);
     // Eq. 8, in which the signs of both n_j cancel; or along the mean of both normals.
     Lanes height = compensated ? 0.5f * dot (own_normal + normal, difference) : dot (normal, difference);
+    // Eq. 9, the Gaussians in one exponential.
+    const Lanes exponent = dot (difference, difference) * reach_factor + x * x * step.normal_factor;
+    Lanes weight = robust ? bell (exponent + height * height * step.residual_factor) : expOfMinus (exponent);
     const Mask counts = (x == x) & isOther (neighbor, own);
     weight = counts ? weight : splat (0);
     height = counts ? weight * height : splat (0);

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/neighbor_graph.h>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** What a cloud tells of its noise. */
+struct NoiseEstimate
+{
+  /** Standard deviation of the noise along the normal, in the cloud's unit. */
+  float sigma = 0;
+  /** Distance between neighbouring points, in the cloud's unit: the median over the points. */
+  float spacing = 0;
+};
+
+/** Estimates the noise from what quadrics through small neighbourhoods leave, and extrapolates from two sizes of
+  * neighbourhood what curvature adds to it. Uses a sample of about 4,096 points that is chosen by a hash of the coordinates,
+  * and quantiles, which do not depend on an order: the same cloud gives the same bits in any order.
+  * \param[in] graph rows of at least 16 points where the cloud has as many
+  * \return sigma 0 where neighbourhoods have fewer than 8 points or no extent */
+NoiseEstimate
+estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/neighbor_graph.h>
+#include <pcl_normal_smoothing/core/noise_estimate.h>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** Smoothing in rounds. Each fits a robust quadric to every neighbourhood and takes its normal, proposes the compensated
+  * step of UpdateRule::COMPENSATED with weights that see by its height that a neighbour lies on another sheet, and takes
+  * as much of the step as an estimate of the risk allows. The noise decides all else. doc/robust_smoothing.md derives it. */
+struct RobustSmoothingOptions
+{
+  /** Of the cloud; sigma 0 leaves it as it is. */
+  NoiseEstimate noise;
+  /** Largest neighbourhood, the point itself included: prefixes of the graph's rows. At most 32 count. */
+  int k = 32;
+  /** Rounds, at most six. */
+  int rounds = 6;
+  /** Fewer solves and averages a round: SmoothingPreset::FAST. */
+  bool fast = false;
+  /** Normals point to the same side everywhere: neighbours with opposite normals do not count. */
+  bool oriented = false;
+  /** No point ends farther from where it began, in the cloud's unit. */
+  float max_displacement = std::numeric_limits<float>::infinity ();
+};
+
+/** \throw Error where an option is out of range */
+void
+check (const RobustSmoothingOptions& options);
+
+/** \param[in,out] positions of the nodes; their offsets change
+  * \param[in,out] normals of the nodes; empty, or those to start from (length 1 or NaN); on return those of the last round */
+void
+smoothRobustly (const NeighborGraph& graph,
+                const RobustSmoothingOptions& options,
+                const Execution& execution,
+                Positions& positions,
+                Vectors& normals);
+} // namespace core
+} // namespace pcl_normal_smoothing

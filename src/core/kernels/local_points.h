@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "quadric.h"
+
+#include <pcl_normal_smoothing/core/kernels.h>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace PCL_NORMAL_SMOOTHING_ISA
+{
+constexpr std::size_t max_fit_neighbors = 32;
+// A quadric has six coefficients.
+constexpr float min_fit_points = 7;
+
+/** (1 - x / 16)^16, zero from x = 16 on: as good a bell as exp (-x) where a weight is all that is wanted. x >= 0 or NaN */
+LANES_INLINE Lanes
+bell (Lanes x)
+{
+  Lanes t = maximum (1 - x * 0.0625f, splat (0));
+  t *= t;
+  t *= t;
+  t *= t;
+  return t * t;
+}
+
+/** \a displacement, shortened to at most \a limit. */
+LANES_INLINE Lanes3
+capped (Lanes3 displacement, float limit)
+{
+  const Lanes length = squareRoot (dot (displacement, displacement));
+  const Lanes scale = length > limit ? limit / length : splat (1);
+  return scale * displacement;
+}
+
+/** The neighbours of the lanes' points, the points themselves first, in units of the distance of the farthest. */
+struct LocalPoints
+{
+  Lanes3 at[max_fit_neighbors];
+  Lanes one[max_fit_neighbors]; // 1, or 0 behind the end of a row
+  std::size_t count;
+  Lanes reach; // distance of the farthest
+
+  LANES_INLINE
+  LocalPoints (const NodeArrays& nodes, const BlockRows& rows, const std::uint32_t* own)
+  : count (rows.length < max_fit_neighbors ? rows.length : max_fit_neighbors)
+  {
+    const Points points (nodes.base, nodes.offset, own);
+    Lanes farthest = {};
+    for (std::size_t j = 0; j < count; ++j) {
+      at[j] = points.difference (own + 16 * j);
+      one[j] = isOther (own + 16 * j, own) | (j == 0 ? -1 : 0) ? splat (1) : splat (0);
+      farthest = maximum (farthest, dot (at[j], at[j]));
+    }
+    reach = squareRoot (farthest);
+    const Lanes scale = farthest > 0 ? 1 / reach : splat (0);
+    for (std::size_t j = 0; j < count; ++j)
+      at[j] = scale * at[j];
+  }
+
+  LANES_INLINE Lanes
+  size () const
+  {
+    Lanes sum = {};
+    for (std::size_t j = 0; j < count; ++j)
+      sum += one[j];
+    return sum;
+  }
+};
+
+/** Eq. 1: weights 1 / distance over the other points, about their weighted centroid. */
+LANES_INLINE Lanes3
+weightedPlaneNormal (const LocalPoints& local)
+{
+  Lanes weights = {}, x = {}, y = {}, z = {}, xx = {}, xy = {}, xz = {}, yy = {}, yz = {}, zz = {};
+  for (std::size_t j = 1; j < local.count; ++j) {
+    const Lanes3 p = local.at[j];
+    const Lanes sq_dist = dot (p, p);
+    const Lanes weight = sq_dist > 0 ? local.one[j] / squareRoot (maximum (sq_dist, splat (1e-12f))) : splat (0);
+    const Lanes wx = weight * p.x, wy = weight * p.y, wz = weight * p.z;
+    weights += weight;
+    x += wx, y += wy, z += wz;
+    xx += wx * p.x, xy += wx * p.y, xz += wx * p.z, yy += wy * p.y, yz += wy * p.z, zz += wz * p.z;
+  }
+  const Lanes scale = 1 / maximum (weights, splat (1e-30f));
+  x *= scale, y *= scale, z *= scale;
+  return smallestEigenvector (xx * scale - x * x, xy * scale - x * y, xz * scale - x * z, yy * scale - y * y,
+                              yz * scale - y * z, zz * scale - z * z);
+}
+
+/** The normals that the rounds start from; NaN where a row has fewer than 3 points or they are all equal. */
+LANES_INLINE void
+startNormals (const NormalOfNodes& normals, const BlockRows& rows, int first)
+{
+  const std::uint32_t* own = rows.neighbors + first;
+  const LocalPoints local (normals.nodes, rows, own);
+  const Lanes3 normal = weightedPlaneNormal (local);
+  const Mask valid = (local.size () >= 3) & (local.reach > 0) & (dot (normal, normal) > 0.5f);
+  const Lanes nan = splat (__builtin_nanf (""));
+  store3 (normals.normals, own, {valid ? normal.x : nan, valid ? normal.y : nan, valid ? normal.z : nan});
+}
+} // namespace PCL_NORMAL_SMOOTHING_ISA
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/node_blocks.h>
+#include <pcl_normal_smoothing/core/noise_estimate.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr std::size_t sample_size = 4096;
+constexpr std::size_t row_length = 16;
+constexpr double pi = 3.14159265358979;
+
+std::uint32_t
+hashOf (const Eigen::Vector3f& point)
+{
+  std::uint32_t hash = 2166136261u;
+  for (int d = 0; d < 3; ++d) {
+    const float coordinate = point[d] + 0.0f; // -0 is 0
+    std::uint32_t bits;
+    std::memcpy (&bits, &coordinate, sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B1u;
+    hash = (hash ^ (hash >> 15)) * 0x85EBCA77u;
+    hash ^= hash >> 13;
+  }
+  return hash;
+}
+
+/** Nodes whose hash is below the share of them that is wanted. */
+std::vector<std::uint32_t>
+sampleNodes (const Positions& nodes)
+{
+  const double share = static_cast<double> (sample_size) / static_cast<double> (std::max (nodes.size (), sample_size));
+  const auto limit = static_cast<std::uint32_t> (share * 4294967295.0);
+  std::vector<std::uint32_t> sample;
+  for (std::uint32_t node = 0; node < nodes.size (); ++node)
+    if (hashOf (nodes.base[node]) <= limit)
+      sample.push_back (node);
+  return sample;
+}
+
+/** The rows of 16 nodes side by side, as a graph keeps those of a block. */
+std::vector<std::uint32_t>
+rowsOf (const NeighborGraph& graph, const std::vector<std::uint32_t>& sample, std::size_t begin)
+{
+  std::vector<std::uint32_t> rows (row_length * NeighborGraph::block_size);
+  for (std::size_t lane = 0; lane < NeighborGraph::block_size; ++lane) {
+    const std::uint32_t node = sample[std::min (begin + lane, sample.size () - 1)];
+    const Row row = graph.row (node);
+    for (std::size_t j = 0; j < row_length; ++j)
+      rows[j * NeighborGraph::block_size + lane] = j < row.size () ? row[j] : node;
+  }
+  return rows;
+}
+
+/** Residual variances of quadrics through the 8, 12 and 16 nearest points, and distances of the eighth. */
+struct Residuals
+{
+  std::array<std::vector<float>, 3> variances;
+  std::vector<float> distances;
+};
+
+Residuals
+sampleResiduals (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+{
+  constexpr std::array<std::size_t, 3> sizes = {8, 12, 16};
+  const std::vector<std::uint32_t> sample = sampleNodes (nodes);
+  std::array<std::vector<float>, 3> of_nodes;
+  for (auto& variances : of_nodes)
+    variances.resize (nodes.size ());
+  const std::size_t block_count = (sample.size () + NeighborGraph::block_size - 1) / NeighborGraph::block_size;
+  parallelFor (
+      block_count, execution,
+      [&] (std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block) {
+          const auto rows = rowsOf (graph, sample, block * NeighborGraph::block_size);
+          for (std::size_t i = 0; i < sizes.size (); ++i)
+            kernels ().residual_variances ({nodeArrays (nodes, nodes.base), of_nodes[i].data ()},
+                                           {rows.data (), sizes[i]});
+        }
+      },
+      8);
+
+  Residuals residuals;
+  for (const std::uint32_t node : sample) {
+    for (std::size_t i = 0; i < sizes.size (); ++i)
+      if (std::isfinite (of_nodes[i][node]))
+        residuals.variances[i].push_back (of_nodes[i][node]);
+    const Row row = graph.row (node);
+    if (row.size () >= sizes[0])
+      residuals.distances.push_back (nodes.difference (node, row[sizes[0] - 1]).norm ());
+  }
+  return residuals;
+}
+
+double
+quantile (std::vector<float>& values, double share)
+{
+  if (values.empty ())
+    return 0;
+  const auto at = values.begin () + static_cast<std::ptrdiff_t> (share * static_cast<double> (values.size ()));
+  std::nth_element (values.begin (), at, values.end ());
+  return *at;
+}
+
+/** The variance at no size of neighbourhood, from those at a small and a large one: curvature adds to the larger more. But
+  * where it is many times the smaller, the neighbourhoods do not fit a quadric, and the difference tells nothing. */
+double
+extrapolated (double small, double large, double slope, double largest_excess)
+{
+  const double excess = std::max (0.0, large - small);
+  const double trust = std::clamp (2 - excess / (largest_excess * small + 1e-30), 0.0, 1.0);
+  return std::max (small - slope * trust * excess, 0.2 * small);
+}
+} // namespace
+
+NoiseEstimate
+estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+{
+  Residuals residuals = sampleResiduals (graph, nodes, execution);
+  auto& [of_8, of_12, of_16] = residuals.variances;
+  // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom.
+  const double lower = extrapolated (quantile (of_8, .25) / .2877, quantile (of_12, .25) / .5758, .7, 2.5);
+  const double median = extrapolated (quantile (of_8, .5) / .6931, quantile (of_12, .5) / .891, .7, 2.5);
+  const double upper = extrapolated (quantile (of_8, .75) / 1.3863, quantile (of_16, .75) / 1.2549, .4, 3);
+  const double variance = std::min ({1.1 * lower, 1.05 * median, upper});
+  const double spacing = quantile (residuals.distances, .5) * std::sqrt (pi / 8);
+  if (!(spacing > 0))
+    return {};
+  // A quadric follows the more of the noise the larger it is against the spacing.
+  const double sigma = std::sqrt (variance);
+  return {static_cast<float> (sigma * (1 + .6 * sigma / spacing)), static_cast<float> (spacing)};
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

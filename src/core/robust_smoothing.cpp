@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/core/node_blocks.h>
+#include <pcl_normal_smoothing/core/normal_filter.h>
+#include <pcl_normal_smoothing/core/robust_smoothing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr int max_rounds = 6;
+constexpr int fine_k = 16;
+constexpr int start_k = 12;
+constexpr int max_k = 32;
+
+/** How the noise is spread over the rounds. The gains are what a step may cost: the covariance of the point after the first
+  * round with the next step on a plane of pure noise, in variances of the noise. */
+struct Schedule
+{
+  int fine_rounds; // with the smaller neighbourhood
+  float gains[max_rounds];
+  int averages;
+};
+
+Schedule
+chooseSchedule (const RobustSmoothingOptions& options, float noise_ratio)
+{
+  if (options.fast || options.k < 24)
+    return {max_rounds, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, options.fast ? 2 : 3};
+  if (noise_ratio >= .35f)
+    return {0, {.660f, .086f, .020f, .0079f, .0048f, .0034f}, 3};
+  return {2, {.665f, .066f, .049f, .0142f, .0084f, .0056f}, 3};
+}
+
+/** Noise against spacing, without the part that NoiseEstimate::sigma adds for what the fit follows. */
+float
+noiseRatio (const NoiseEstimate& noise)
+{
+  return noise.spacing > 0 ? (std::sqrt (1 + 2.4f * noise.sigma / noise.spacing) - 1) / 1.2f : 0;
+}
+} // namespace
+
+void
+check (const RobustSmoothingOptions& options)
+{
+  if (!(options.noise.sigma >= 0) || !(options.noise.spacing >= 0))
+    throw Error ("the noise's sigma is " + std::to_string (options.noise.sigma) + ", the spacing " +
+                 std::to_string (options.noise.spacing) + ": give lengths of at least 0");
+  if (options.rounds < 0 || options.rounds > max_rounds)
+    throw Error ("the number of rounds is " + std::to_string (options.rounds) + ": give 0 to 6");
+  if (!(options.max_displacement > 0))
+    throw Error ("the maximal displacement is " + std::to_string (options.max_displacement) +
+                 ": give a length above 0");
+}
+
+namespace
+{
+/** The state of the rounds and their steps, in order. */
+class Rounds
+{
+public:
+  Rounds (const NeighborGraph& graph,
+          const RobustSmoothingOptions& options,
+          const Execution& execution,
+          Positions& positions,
+          Vectors& normals)
+  : graph_ (graph)
+  , options_ (options)
+  , execution_ (execution)
+  , positions_ (positions)
+  , normals_ (normals)
+  , noise_ratio_ (noiseRatio (options.noise))
+  , schedule_ (chooseSchedule (options, noise_ratio_))
+  , start_ (positions.offset)
+  , reference_ (positions.offset)
+  , other_ (graph.size ())
+  , proposed_ (graph.size ())
+  {}
+
+  void
+  run ()
+  {
+    if (normals_.empty ())
+      startNormals ();
+    for (int round = 0; round < options_.rounds; ++round) {
+      const bool fine = round < schedule_.fine_rounds;
+      k_ = static_cast<std::size_t> (std::min (options_.k, fine ? fine_k : max_k));
+      fitNormals (round);
+      if (noise_ratio_ > .25f)
+        filterFitted ();
+      proposeSteps (fine);
+      takeSteps (schedule_.gains[round]);
+      if (round == 0) // from now on the risk is measured from here
+        reference_ = positions_.offset;
+      execution_.report ((round + 1.0) / options_.rounds);
+    }
+  }
+
+private:
+  template <typename Kernel, typename Arguments>
+  void
+  forAllBlocks (const Kernel& kernel, const Arguments& arguments, std::size_t k)
+  {
+    forEachBlock (graph_, execution_.part (0, 0), [&] (const BlockRows& rows) {
+      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k)});
+    });
+  }
+
+  void
+  startNormals ()
+  {
+    normals_.resize (graph_.size ());
+    forAllBlocks (kernels ().start_normals,
+                  NormalOfNodes {nodeArrays (positions_, normals_), normals_.data ()->data ()}, start_k);
+  }
+
+  void
+  fitNormals (int round)
+  {
+    const bool first = round == 0;
+    QuadricFitStep step {};
+    step.nodes = nodeArrays (positions_, normals_);
+    step.solves = options_.fast ? (first ? 2 : 1) : (first ? 3 : 2);
+    step.turn_frame = first;
+    step.by_normal = !first || options_.oriented;
+    step.oriented = options_.oriented;
+    step.residual_factor = residualFactor ();
+    step.ridge = .3f * std::clamp (.2f * noise_ratio_ * noise_ratio_, .003f, .01f);
+    step.fitted = other_.data ()->data ();
+    forAllBlocks (kernels ().fit_normals, step, k_);
+    normals_.swap (other_);
+  }
+
+  /** Much noise: one bilateral-Gaussian pass over the normals. */
+  void
+  filterFitted ()
+  {
+    factors_.resize (graph_.size ());
+    NormalFilterStep step {};
+    step.nodes = nodeArrays (positions_, normals_);
+    step.distance_factor = factors_.data ();
+    step.weight = static_cast<int> (NormalWeight::GAUSSIAN);
+    step.normal_factor = 1 / (2 * .15f * .15f);
+    step.oriented = options_.oriented;
+    step.filtered = other_.data ()->data ();
+    forAllBlocks (kernels ().distance_factors, NumberOfNodes {step.nodes, factors_.data ()}, k_);
+    forAllBlocks (kernels ().filter_normals, step, k_);
+    normals_.swap (other_);
+  }
+
+  void
+  proposeSteps (bool fine)
+  {
+    const float bandwidth = fine && !options_.fast ? .7f : 1; // in distances of the farthest neighbour
+    const float sigma_s = options_.fast ? .06f : .05f;
+    PointUpdateStep step {};
+    step.nodes = nodeArrays (positions_, normals_);
+    step.start = step.nodes.offset;
+    step.compensated = step.robust = true;
+    step.reach_scale = 1 / (bandwidth * bandwidth);
+    step.normal_factor = 1 / (2 * sigma_s * sigma_s);
+    step.residual_factor = residualFactor ();
+    step.oriented = options_.oriented;
+    step.max_displacement = std::numeric_limits<float>::infinity ();
+    step.moved = proposed_.data ()->data ();
+    forAllBlocks (kernels ().update_points, step, k_);
+  }
+
+  void
+  takeSteps (float gain)
+  {
+    const std::size_t k = options_.fast ? fine_k : max_k;
+    weights_.resize (graph_.blockRows (graph_.blockCount ()) - graph_.blockRows (0));
+    risks_.resize (graph_.size ());
+    StepControl control {};
+    control.nodes = nodeArrays (positions_, normals_);
+    control.start = start_.data ()->data ();
+    control.reference = reference_.data ()->data ();
+    control.proposed = proposed_.data ()->data ();
+    control.oriented = options_.oriented;
+    control.first_neighbor = graph_.blockRows (0);
+    control.weights = weights_.data ();
+    control.gain = 1.5f * options_.noise.sigma * options_.noise.sigma * gain;
+    control.max_displacement = options_.max_displacement;
+    control.risks = risks_.data ()->data ();
+    forAllBlocks (kernels ().step_risks, control, k);
+    forAllBlocks (kernels ().averaging_weights, control, k);
+    for (int average = 0; average < schedule_.averages; ++average) {
+      control.risks = risks_.data ()->data ();
+      control.averaged = other_.data ()->data ();
+      forAllBlocks (kernels ().average_risks, control, k);
+      risks_.swap (other_);
+    }
+    control.risks = risks_.data ()->data ();
+    control.taken = other_.data ()->data ();
+    forAllBlocks (kernels ().take_steps, control, k);
+    positions_.offset.swap (other_);
+  }
+
+  /** 1 / (2 (2 sigma)^2); without noise everything off the surface is off by far. */
+  float
+  residualFactor () const
+  {
+    const float sigma = options_.noise.sigma;
+    return 1 / std::max (8 * sigma * sigma, std::numeric_limits<float>::min () * 1e8f);
+  }
+
+  const NeighborGraph& graph_;
+  const RobustSmoothingOptions& options_;
+  const Execution& execution_;
+  Positions& positions_;
+  Vectors& normals_;
+  float noise_ratio_;
+  Schedule schedule_;
+  std::size_t k_ = 0;
+  Vectors start_;     // offsets before the first round
+  Vectors reference_; // offsets from which the risk is measured
+  Vectors other_;     // the buffer that the next stage writes
+  Vectors proposed_;
+  Vectors risks_;
+  std::vector<float> factors_;
+  std::vector<std::uint8_t> weights_;
+};
+} // namespace
+
+void
+smoothRobustly (const NeighborGraph& graph,
+                const RobustSmoothingOptions& options,
+                const Execution& execution,
+                Positions& positions,
+                Vectors& normals)
+{
+  if (graph.size () > 0)
+    Rounds (graph, options, execution, positions, normals).run ();
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/search/brute_force.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/search/octree.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+namespace test_support
+{
+/** The search objects that a user may set. */
+template <typename PointT>
+std::vector<typename pcl::search::Search<PointT>::Ptr>
+userSearches ()
+{
+  return {std::make_shared<pcl::search::KdTree<PointT>> (), std::make_shared<pcl::search::KdTree<PointT>> (false),
+          std::make_shared<pcl::search::BruteForce<PointT>> (), std::make_shared<pcl::search::Octree<PointT>> (0.1)};
+}
+
+template <typename PointT>
+class ThrowingSearch : public pcl::search::KdTree<PointT>
+{
+public:
+  int
+  nearestKSearch (const PointT&, int, pcl::Indices&, std::vector<float>&) const override
+  {
+    throw std::runtime_error ("the index is corrupt");
+  }
+};
+
+/** Finds few, and leaves the vectors at the size that it got them, as old searches do. */
+template <typename PointT>
+class ShortSearch : public pcl::search::KdTree<PointT>
+{
+public:
+  explicit ShortSearch (int most) : most_ (most) {}
+
+  int
+  nearestKSearch (const PointT& point, int, pcl::Indices& indices, std::vector<float>& sq_dists) const override
+  {
+    pcl::Indices found;
+    std::vector<float> found_sq_dists;
+    const int count = pcl::search::KdTree<PointT>::nearestKSearch (point, most_, found, found_sq_dists);
+    std::copy (found.begin (), found.end (), indices.begin ());
+    std::copy (found_sq_dists.begin (), found_sq_dists.end (), sq_dists.begin ());
+    return count;
+  }
+
+private:
+  int most_;
+};
+
+/** Answers with a point that the cloud of 300 does not have. */
+template <typename PointT>
+class WrongSearch : public pcl::search::KdTree<PointT>
+{
+public:
+  int
+  nearestKSearch (const PointT&, int k, pcl::Indices& indices, std::vector<float>& sq_dists) const override
+  {
+    indices.assign (static_cast<std::size_t> (k), 300);
+    sq_dists.assign (static_cast<std::size_t> (k), 0);
+    return k;
+  }
+};
+} // namespace test_support

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "filter_fixture.h"
+
+#include <cmath>
+
+namespace
+{
+using namespace test_support;
+using namespace pcl_normal_smoothing;
+
+template <typename FilterT>
+class FilterBadInput : public FilterTest<FilterT>
+{
+protected:
+  using Point = typename FilterBadInput::Point;
+
+  /** The filter on other points than the fixture's. */
+  void
+  prepareFor (FilterT& filter, const Vectors& points, const Vectors& normals)
+  {
+    this->cloud_ = makeCloud<Point> (points, normals);
+    this->prepare (filter, this->cloud_, normals);
+    filter.setKSearch (10);
+  }
+
+  static void
+  expectFinite (const pcl::PointCloud<Point>& cloud)
+  {
+    for (const auto& point : cloud) {
+      EXPECT_TRUE (point.getVector3fMap ().allFinite ()) << point;
+      if constexpr (FilterBadInput::has_normal) {
+        EXPECT_TRUE (point.getNormalVector3fMap ().allFinite ()) << point;
+      }
+    }
+  }
+};
+
+TYPED_TEST_SUITE (FilterBadInput, AllFilters);
+
+TYPED_TEST (FilterBadInput, TooFewPointsAreAnError)
+{
+  const Vectors up (10, Eigen::Vector3f::UnitZ ());
+  for (std::size_t count = 0; count < 3; ++count) {
+    TypeParam filter;
+    this->prepareFor (filter, Vectors (this->points_.begin (), this->points_.begin () + std::ptrdiff_t (count)), up);
+    if constexpr (!TestFixture::has_normal)
+      filter.setInputNormals (makeNormals (Vectors (count, up[0])));
+    this->expectError (filter, std::to_string (count) + " finite points");
+  }
+  TypeParam filter;
+  this->prepareFor (filter, Vectors (10, Eigen::Vector3f::Constant (nan_float)), up);
+  this->expectError (filter, "0 finite points");
+}
+
+TYPED_TEST (FilterBadInput, FewerPointsThanKAreAllNeighbours)
+{
+  const Shape plane = planeGrid (2, 1);
+  TypeParam filter, with_all;
+  this->prepareFor (filter, withNoise (plane.points, 0.1, 150), plane.normals);
+  filter.setKSearch (50);
+  const auto output = this->run (filter);
+  this->prepare (with_all, this->cloud_, plane.normals);
+  with_all.setKSearch (4);
+  expectSamePoints (output, this->run (with_all));
+}
+
+TYPED_TEST (FilterBadInput, PointsWithoutASurfaceStayOrAreAnError)
+{
+  Vectors line;
+  for (int i = 0; i < 40; ++i)
+    line.push_back (static_cast<float> (i) * Eigen::Vector3f (1, 0, 0));
+  const Vectors equal (40, Eigen::Vector3f (1, 2, 3)), up (40, Eigen::Vector3f::UnitZ ());
+  for (const Vectors& points : {line, equal}) {
+    TypeParam filter;
+    this->prepareFor (filter, points, up);
+    if (FilterTraits<TypeParam>::estimates_normals)
+      this->expectError (filter, "no point has a normal");
+    else
+      expectSamePoints (this->run (filter), *this->cloud_); // with equal normals there is nothing to do
+  }
+}
+
+TYPED_TEST (FilterBadInput, DuplicatesDoNotHarm)
+{
+  Vectors twice = this->points_, normals = this->normals_;
+  twice.insert (twice.end (), this->points_.begin (), this->points_.end ());
+  normals.insert (normals.end (), this->normals_.begin (), this->normals_.end ());
+  TypeParam filter;
+  this->prepareFor (filter, twice, normals);
+  const auto output = this->run (filter);
+  ASSERT_EQ (output.size (), 600u);
+  this->expectFinite (output);
+  for (std::size_t i = 0; i < 300; ++i) // whatever the order of the ties, both stay in one place
+    EXPECT_LT ((output[i].getVector3fMap () - output[i + 300].getVector3fMap ()).norm (), 0.02) << "point " << i;
+}
+
+TYPED_TEST (FilterBadInput, ParametersOutOfRangeAreErrors)
+{
+  TypeParam filter;
+  this->prepare (filter);
+  filter.setKSearch (-3);
+  this->expectError (filter, "-3");
+  filter.setKSearch (10);
+  filter.setRadiusSearch (0.75);
+  this->expectError (filter, "0.75"); // both
+  filter.setKSearch (0);
+  for (const auto& [radius, name] : {std::pair (-0.5, "-0.5"), std::pair (double (nan_float), "nan"),
+                                     std::pair (std::numeric_limits<double>::infinity (), "inf")}) {
+    filter.setRadiusSearch (radius);
+    this->expectError (filter, name);
+  }
+  filter.setRadiusSearch (0);
+  filter.setKSearch (10);
+  for (const auto& [distance, name] : {std::pair (-0.5, "-0.5"), std::pair (double (nan_float), "nan")}) {
+    filter.setMaxNeighborDistance (distance);
+    this->expectError (filter, name);
+  }
+  filter.setMaxNeighborDistance (0);
+  for (const double sigma : {-0.25, 0.0, double (nan_float)}) {
+    filter.setSigmaS (sigma);
+    this->expectError (filter, std::to_string (sigma).substr (0, 3));
+  }
+  filter.setSigmaS (0.3);
+  expectSamePoints (this->run (filter), [&] {
+    TypeParam fresh;
+    this->prepare (fresh);
+    fresh.setSigmaS (0.3);
+    return this->run (fresh);
+  }()); // no error leaves anything behind
+}
+
+TYPED_TEST (FilterBadInput, NeitherKNorARadiusIsAnErrorWhereTheClassDoesNotChoose)
+{
+  TypeParam filter;
+  this->prepare (filter);
+  filter.setKSearch (0);
+  if (FilterTraits<TypeParam>::estimates_normals)
+    EXPECT_EQ (this->run (filter).size (), 300u);
+  else
+    this->expectError (filter, "neither k nor a radius");
+}
+
+TYPED_TEST (FilterBadInput, AnIndexOutOfRangeIsAnError)
+{
+  for (const int wrong : {300, 2147483647, -1}) {
+    TypeParam filter;
+    this->prepare (filter);
+    filter.setIndices (std::make_shared<pcl::Indices> (pcl::Indices {1, wrong}));
+    this->expectError (filter, std::to_string (wrong));
+  }
+}
+
+TYPED_TEST (FilterBadInput, AnErrorInPlaceEmptiesTheCloudAndNothingElse)
+{
+  TypeParam filter;
+  this->prepare (filter);
+  filter.setKSearch (-3);
+  filter.filter (*this->cloud_);
+  expectEmpty (*this->cloud_);
+  EXPECT_EQ (this->cloud_->header.frame_id, "scanner");
+}
+
+/** Those that read normals. */
+template <typename FilterT>
+class FilterBadNormals : public FilterTest<FilterT>
+{};
+
+using NormalReaders = testing::Types<BilateralNormalFilter<pcl::PointNormal>,
+                                     NormalGuidedPointUpdate<pcl::PointNormal>,
+                                     NormalGuidedPointUpdate<pcl::PointXYZ>,
+                                     NormalSmoothing<pcl::PointNormal>,
+                                     NormalSmoothing<pcl::PointXYZ>>;
+TYPED_TEST_SUITE (FilterBadNormals, NormalReaders);
+
+template <typename FilterT>
+void
+readNormals (FilterT& filter)
+{
+  if constexpr (FilterTraits<FilterT>::estimates_normals)
+    filter.setNormalSource (NormalSource::INPUT);
+}
+
+TYPED_TEST (FilterBadNormals, OneMustBeThereForEveryPoint)
+{
+  TypeParam filter;
+  this->prepare (filter);
+  readNormals (filter);
+  filter.setInputNormals (makeNormals (Vectors (299, Eigen::Vector3f::UnitX ())));
+  this->expectError (filter, "299");
+  filter.setInputNormals (nullptr);
+  if (TestFixture::has_normal)
+    EXPECT_EQ (this->run (filter).size (), 300u);
+  else
+    this->expectError (filter, "setInputNormals");
+}
+
+TYPED_TEST (FilterBadNormals, TheirLengthDoesNotMatterAndWhereThereIsNoneThePointStays)
+{
+  const Shape shape = torus (300, 1, 0.4);
+  Vectors unit = shape.normals, scaled = shape.normals;
+  for (std::size_t i = 0; i < unit.size (); ++i)
+    scaled[i] *= i % 3 == 0 ? 8.0f : 0.125f; // powers of two: normalising loses nothing
+  TypeParam filter;
+  this->prepare (filter);
+  readNormals (filter);
+  filter.setInputNormals (makeNormals (unit));
+  const auto expected = this->run (filter);
+  filter.setInputNormals (makeNormals (scaled));
+  const auto of_scaled = this->run (filter);
+  for (std::size_t i = 0; i < expected.size (); ++i)
+    EXPECT_LT ((of_scaled[i].getVector3fMap () - expected[i].getVector3fMap ()).norm (), 1e-5) << "point " << i;
+
+  scaled[17].setZero ();
+  scaled[18].setConstant (nan_float);
+  scaled[19].setConstant (std::numeric_limits<float>::infinity ());
+  filter.setInputNormals (makeNormals (scaled));
+  const auto output = this->run (filter);
+  for (std::size_t i = 0; i < output.size (); ++i) {
+    EXPECT_TRUE (output[i].getVector3fMap ().allFinite ()) << "point " << i;
+    EXPECT_TRUE (i < 17 || i > 19 || samePoint (output[i], (*this->cloud_)[i])) << "point " << i;
+  }
+}
+} // namespace

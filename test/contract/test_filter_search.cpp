@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "filter_fixture.h"
+#include "searches.h"
+
+#include <pcl_normal_smoothing/neighbor_graph.h>
+
+namespace
+{
+using namespace test_support;
+using pcl_normal_smoothing::buildNeighborGraph;
+
+template <typename FilterT>
+class FilterSearch : public FilterTest<FilterT>
+{
+protected:
+  using Point = typename FilterSearch::Point;
+};
+
+TYPED_TEST_SUITE (FilterSearch, OneOfEachFilter);
+
+TYPED_TEST (FilterSearch, EverySearchObjectGivesTheSame)
+{
+  using Point = typename TestFixture::Point;
+  const auto by_k = this->result ();
+  TypeParam by_radius_filter;
+  this->prepare (by_radius_filter);
+  by_radius_filter.setKSearch (0);
+  by_radius_filter.setRadiusSearch (0.35);
+  const auto by_radius = this->run (by_radius_filter);
+  for (const auto& search : userSearches<Point> ()) {
+    SCOPED_TRACE (search->getName ());
+    TypeParam filter;
+    this->prepare (filter);
+    filter.setSearchMethod (search);
+    expectSamePoints (this->run (filter), by_k);
+    filter.setKSearch (0);
+    filter.setRadiusSearch (0.35);
+    expectSamePoints (this->run (filter), by_radius);
+  }
+}
+
+TYPED_TEST (FilterSearch, EverySearchObjectLeavesOutPointsThatAreNotFinite)
+{
+  using Point = typename TestFixture::Point;
+  for (std::size_t i = 0; i < this->points_.size (); i += 9)
+    (*this->cloud_)[i].y = nan_float;
+  const auto expected = this->result ();
+  for (const auto& search : userSearches<Point> ()) {
+    SCOPED_TRACE (search->getName ());
+    TypeParam filter;
+    this->prepare (filter);
+    filter.setSearchMethod (search);
+    expectSamePoints (this->run (filter), expected);
+  }
+}
+
+TYPED_TEST (FilterSearch, TheMaximalDistanceLimitsK)
+{
+  using Point = typename TestFixture::Point;
+  TypeParam filter;
+  this->prepare (filter);
+  filter.setMaxNeighborDistance (0.2);
+  const auto limited = this->run (filter);
+  bool differs = false;
+  const auto free = this->result ();
+  for (std::size_t i = 0; i < free.size (); ++i)
+    differs = differs || !samePoint (free[i], limited[i]);
+  EXPECT_TRUE (differs);
+  for (const auto& search : userSearches<Point> ()) {
+    filter.setSearchMethod (search);
+    expectSamePoints (this->run (filter), limited);
+  }
+  filter.setMaxNeighborDistance (1e6);
+  expectSamePoints (this->run (filter), free);
+}
+
+TYPED_TEST (FilterSearch, APointMovedBehindItsPointerIsFoundWhereItIs)
+{
+  using Point = typename TestFixture::Point;
+  for (const auto& search : userSearches<Point> ()) {
+    SCOPED_TRACE (search->getName ());
+    TypeParam filter;
+    this->prepare (filter);
+    filter.setSearchMethod (search);
+    search->setInputCloud (this->cloud_);
+    this->run (filter);
+    for (std::size_t i = 0; i < this->cloud_->size (); ++i) // the halves change places
+      (*this->cloud_)[i].getVector3fMap () = this->points_[(i + 150) % 300];
+    const auto stale = this->run (filter);
+    expectSamePoints (stale, this->result ());
+  }
+}
+
+TYPED_TEST (FilterSearch, ASearchThatThrowsIsAnError)
+{
+  TypeParam filter;
+  this->prepare (filter);
+  filter.setSearchMethod (std::make_shared<ThrowingSearch<typename TestFixture::Point>> ());
+  this->expectError (filter, "the index is corrupt");
+}
+
+TYPED_TEST (FilterSearch, ASearchMayFindLessThanItWasGivenRoomFor)
+{
+  using Point = typename TestFixture::Point;
+  TypeParam filter;
+  this->prepare (filter);
+  filter.setKSearch (6);
+  const auto expected = this->run (filter);
+  filter.setKSearch (10);
+  filter.setSearchMethod (std::make_shared<ShortSearch<Point>> (6));
+  expectSamePoints (this->run (filter), expected);
+}
+
+TYPED_TEST (FilterSearch, ASearchOfAnotherCloudIsAnError)
+{
+  TypeParam filter;
+  this->prepare (filter);
+  filter.setSearchMethod (std::make_shared<WrongSearch<typename TestFixture::Point>> ());
+  this->expectError (filter, "300");
+}
+
+TYPED_TEST (FilterSearch, AnAbsurdKDoesNotTakeAbsurdMemory)
+{
+  using Point = typename TestFixture::Point;
+  TypeParam filter;
+  this->prepare (filter);
+  filter.setKSearch (300);
+  const auto expected = this->run (filter);
+  filter.setKSearch (2147483647);
+  expectSamePoints (this->run (filter), expected);
+  filter.setSearchMethod (std::make_shared<pcl::search::KdTree<Point>> ());
+  expectSamePoints (this->run (filter), expected);
+}
+
+TYPED_TEST (FilterSearch, ASharedGraphGivesTheSame)
+{
+  using Point = typename TestFixture::Point;
+  const auto graph = buildNeighborGraph<Point> (this->cloud_, 10);
+  for (const auto& shared :
+       {graph, buildNeighborGraph<Point> (this->cloud_, 10, 0, std::make_shared<pcl::search::KdTree<Point>> ())}) {
+    TypeParam filter;
+    this->prepare (filter);
+    filter.setKSearch (0);
+    filter.setNeighborGraph (shared);
+    EXPECT_EQ (filter.getNeighborGraph (), shared);
+    expectSamePoints (this->run (filter), this->result ());
+  }
+}
+
+TYPED_TEST (FilterSearch, AGraphOfAnotherCloudIsRefused)
+{
+  using Point = typename TestFixture::Point;
+  const Shape ball = sphere (77, 1);
+  TypeParam filter;
+  this->prepare (filter);
+  filter.setNeighborGraph (buildNeighborGraph<Point> (makeCloud<Point> (ball.points, ball.normals), 10));
+  this->expectError (filter, "77");
+
+  filter.setNeighborGraph (buildNeighborGraph<Point> (this->cloud_, 10));
+  this->run (filter);
+  (*this->cloud_)[123].z = nan_float;
+  this->expectError (filter, "123");
+  filter.setNeighborGraph (nullptr);
+  this->run (filter);
+}
+} // namespace

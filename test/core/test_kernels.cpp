@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graph_rows.h"
+
+#include <pcl_normal_smoothing/core/kernels.h>
+#include <pcl_normal_smoothing/core/node_blocks.h>
+#include <pcl_normal_smoothing/core/normal_filter.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+namespace
+{
+using namespace pcl_normal_smoothing::core;
+using namespace test_support;
+
+constexpr float infinity = std::numeric_limits<float>::infinity ();
+constexpr float nan_float = std::numeric_limits<float>::quiet_NaN ();
+
+/** NaNs are equal here, bits count. */
+void
+expectSameBits (const std::vector<float>& actual, const std::vector<float>& expected, const std::string& kernels)
+{
+  ASSERT_EQ (actual.size (), expected.size ());
+  for (std::size_t i = 0; i < expected.size (); ++i)
+    ASSERT_EQ (std::memcmp (&actual[i], &expected[i], sizeof (float)), 0)
+        << kernels << ": number " << i << " is " << actual[i] << ", not " << expected[i];
+}
+
+/** Clouds whose last block is full or not, rows of one length or of many, some nodes without a normal. */
+class KernelsTest : public testing::TestWithParam<std::tuple<int, NeighborQuery>>
+{
+protected:
+  KernelsTest ()
+  {
+    const Shape shape = torus (std::get<0> (GetParam ()), 1, 0.4);
+    const Positions cloud = asPositions (withNoise (shape.points, 0.05, 120));
+    graph_ = NeighborGraph::build (cloud, std::get<1> (GetParam ()), Execution (1));
+    nodes_ = gather (cloud, graph_->order ());
+    Vectors normals = withRandomSigns (shape.normals, 121);
+    for (std::size_t i = 0; i < normals.size (); i += 11)
+      normals[i].setConstant (nan_float);
+    normals_ = byNode (normals, *graph_);
+  }
+
+  /** Three numbers a node, poisoned. */
+  std::vector<float>
+  vectors () const
+  {
+    return std::vector<float> (3 * nodes_.size (), -77);
+  }
+
+  std::vector<float>
+  distanceFactors (const Kernels& kernels) const
+  {
+    std::vector<float> factors (nodes_.size (), -77);
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
+      kernels.distance_factors (nodeArrays (nodes_, normals_), rows, factors.data ());
+    });
+    return factors;
+  }
+
+  template <typename Compute>
+  static void
+  expectAllTheSame (const Compute& compute)
+  {
+    std::size_t count = 0;
+    const Kernels* const* all = allKernels (count);
+    ASSERT_GT (count, 0u);
+    for (std::size_t i = 0; i + 1 < count; ++i)
+      expectSameBits (compute (*all[i]), compute (*all[count - 1]), all[i]->name);
+  }
+
+  NeighborGraph::Ptr graph_;
+  Positions nodes_;
+  Vectors normals_;
+};
+
+TEST_P (KernelsTest, DistanceFactorsAreTheSameForEveryInstructionSet)
+{
+  expectAllTheSame ([this] (const Kernels& kernels) { return distanceFactors (kernels); });
+}
+
+TEST_P (KernelsTest, NormalsAreTheSameForEveryInstructionSet)
+{
+  for (const int weight : {0, 1, 2})
+    for (const bool oriented : {false, true})
+      expectAllTheSame ([&] (const Kernels& kernels) {
+        const std::vector<float> factors = distanceFactors (kernels);
+        std::vector<float> filtered = vectors ();
+        NormalFilterStep step {};
+        step.nodes = nodeArrays (nodes_, normals_);
+        step.distance_factor = factors.data ();
+        step.weight = weight;
+        step.threshold = 0.65f;
+        step.normal_factor = 5.6f;
+        step.rms = oriented;
+        step.oriented = oriented;
+        step.filtered = filtered.data ();
+        forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels.filter_normals (step, rows); });
+        return filtered;
+      });
+}
+
+TEST_P (KernelsTest, PositionsAreTheSameForEveryInstructionSet)
+{
+  for (const bool compensated : {false, true})
+    for (const float max_displacement : {infinity, 0.01f})
+      expectAllTheSame ([&] (const Kernels& kernels) {
+        std::vector<float> moved = vectors ();
+        PointUpdateStep step {};
+        step.nodes = nodeArrays (nodes_, normals_);
+        step.start = step.nodes.offset;
+        step.compensated = compensated;
+        step.normal_factor = 50;
+        step.max_displacement = max_displacement;
+        step.moved = moved.data ();
+        forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels.update_points (step, rows); });
+        return moved;
+      });
+}
+
+INSTANTIATE_TEST_SUITE_P (Graphs,
+                          KernelsTest,
+                          testing::Combine (testing::Values (3, 16, 333, 1000),
+                                            testing::Values (NeighborQuery {3, infinity},
+                                                             NeighborQuery {12, infinity},
+                                                             NeighborQuery {0, 0.15f})));
+} // namespace

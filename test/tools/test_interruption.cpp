@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output_file.h"
+#include "tool.h"
+#include "tool_runner.h"
+
+#include <csignal>
+
+#include <chrono>
+#include <thread>
+
+using namespace pcl_normal_smoothing;
+
+namespace
+{
+class Interruption : public ToolTest
+{
+protected:
+  /** Ends a tool that would go on for hours. */
+  Ending
+  interrupt (int signal)
+  {
+    const int process = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing", path ("wave.pcd"), path ("out.pcd"),
+                                    "-point_iterations", "1000000", "-k", "200"}, folder_);
+    std::this_thread::sleep_for (std::chrono::milliseconds (700));
+    kill (process, signal);
+    return waitFor (process, folder_);
+  }
+};
+
+/** Is interrupted in the middle of writing. */
+class WritingTool : public tools::Tool
+{
+public:
+  explicit WritingTool (int signal) : signal_ (signal) {}
+
+private:
+  void
+  describe (tools::Options& options) override
+  {
+    options.describe ("writes", {"output"});
+  }
+
+  void
+  work (const tools::Options& options) override
+  {
+    tools::OutputFile output (options.file (0));
+    output.write (std::string (3u << 20, 'x'));
+    raise (signal_);
+    output.commit ();
+  }
+
+  int signal_;
+};
+} // namespace
+
+TEST_F (Interruption, EndsTheWork)
+{
+  savePcd (makeWave (), path ("wave.pcd"));
+  writeText (path ("out.pcd"), "precious");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    EXPECT_EQ (interrupt (signal).status, 128 + signal);
+    EXPECT_EQ (contentOf (path ("out.pcd")), "precious");
+    EXPECT_EQ (files (), (std::set<std::string> {"out.pcd", "wave.pcd"}));
+  }
+}
+
+TEST_F (Interruption, RemovesWhatIsHalfWritten)
+{
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  writeText (path ("out.pcd"), "precious");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::string name = "writer", output = path ("out.pcd");
+    char* words[] = {name.data (), output.data (), nullptr};
+    WritingTool tool (signal);
+    EXPECT_EXIT (_exit (tools::runTool (2, words, tool)), testing::ExitedWithCode (128 + signal), "");
+    EXPECT_EQ (contentOf (output), "precious");
+    EXPECT_EQ (files (), (std::set<std::string> {"out.pcd"}));
+  }
+}
+
+TEST_F (Interruption, AFileThatIsNotCommittedLeavesNothing)
+{
+  writeText (path ("out.pcd"), "precious");
+  {
+    tools::OutputFile output (path ("out.pcd"));
+    output.write (std::string (3u << 20, 'x'));
+    EXPECT_EQ (files ().size (), 2u);
+  }
+  EXPECT_EQ (contentOf (path ("out.pcd")), "precious");
+  EXPECT_EQ (files ().size (), 1u);
+  tools::OutputFile output (path ("out.pcd"));
+  output.write ("new");
+  output.commit ();
+  EXPECT_EQ (contentOf (path ("out.pcd")), "new");
+  EXPECT_EQ (files ().size (), 1u);
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field_values.h"
+#include "tool_runner.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace pcl_normal_smoothing;
+
+namespace
+{
+const std::vector<std::string> filters {"pcl_normal_smoothing", "pcl_wpca_normal_estimation", "pcl_hough_normal_estimation",
+                                        "pcl_bilateral_normal_filter", "pcl_normal_guided_point_update"};
+
+class Usage : public ToolTest
+{
+protected:
+  void
+  SetUp () override
+  {
+    savePcd (makeWave (), path ("wave.pcd"));
+  }
+
+  /** Status 1, one line that holds \a word, no output. */
+  void
+  expectRefused (const std::string& command, const std::string& word)
+  {
+    const Ending result = run (command);
+    EXPECT_EQ (result.status, 1) << command;
+    EXPECT_NE (result.err.find (word), std::string::npos) << command << "\n" << result.err;
+    EXPECT_EQ (result.out, "") << command;
+    EXPECT_EQ (files ().count ("out.pcd"), 0u) << command;
+  }
+};
+} // namespace
+
+TEST_F (Usage, UnknownOption)
+{
+  for (const std::string& tool : filters)
+    expectRefused (tool + " wave.pcd out.pcd -smoothness 3", "-smoothness");
+  expectRefused ("pcl_add_surface_noise mesh.off out.pcd -k 3", "-k");
+  expectRefused ("pcl_smoothing_error mesh.off wave.pcd -k 3", "-k");
+  expectRefused ("pcl_make_double_torus out.ply -k 3", "-k");
+}
+
+TEST_F (Usage, MissingValue)
+{
+  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -k", "-k");
+  expectRefused ("pcl_normal_smoothing -k -radius 3 wave.pcd out.pcd", "-k");
+}
+
+TEST_F (Usage, MalformedValue)
+{
+  for (const std::string option :
+       {"-k 15x", "-k 1.5", "-k 0", "-k -4", "-k 99999999999999999999", "-radius nan", "-radius inf", "-radius 0", "-radius 1e99",
+        "-sigma_s -0.3", "-sigma_s 1e-99", "-threshold 1", "-threshold -0.1", "-threshold 0.99999999999", "-normals best",
+        "-save_normals yes", "-normal_iterations -1", "-point_iterations 1e3", "-seed -1", "-threads -1", "-format xml",
+        "-preset slow", "-max_displacement 0", "-update PAPER"})
+    expectRefused ("pcl_normal_smoothing wave.pcd out.pcd " + option, option.substr (0, option.find (' ')));
+}
+
+TEST_F (Usage, FileNames)
+{
+  expectRefused ("pcl_normal_smoothing", "usage");
+  expectRefused ("pcl_normal_smoothing wave.pcd", "usage");
+  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd third.pcd", "usage");
+  expectRefused ("pcl_normal_smoothing wave.pcd out.xyz", "out.xyz");
+  expectRefused ("pcl_normal_smoothing wave.pcd out.ply -format compressed", "compressed");
+}
+
+TEST_F (Usage, BothKAndRadius)
+{
+  for (const std::string& tool : filters)
+    expectRefused (tool + " wave.pcd out.pcd -k 9 -radius 2", "-radius");
+}
+
+TEST_F (Usage, HelpNamesEveryOptionWithItsDefault)
+{
+  const Ending help = succeed ("pcl_normal_smoothing -h");
+  for (const std::string option :
+       {"-normals", "-weights", "-mixed", "-k", "-radius", "-max_radius", "-normal_iterations", "-point_iterations",
+        "-threshold", "-sigma_s", "-update", "-update_sigma_s", "-oriented", "-max_displacement", "-save_normals", "-seed",
+        "-threads", "-format", "-preset"}) {
+    const std::size_t begin = help.out.find ("\n  " + option + " ");
+    ASSERT_NE (begin, std::string::npos) << option;
+    EXPECT_NE (help.out.substr (begin, help.out.find ('\n', begin + 1) - begin).find ("default: "), std::string::npos)
+        << option;
+  }
+  for (const std::string& tool : filters)
+    EXPECT_EQ (succeed (tool + " anything.pcd -k -h").err, "");
+}
+
+TEST (FieldValues, TextReadsBackToTheSameBits)
+{
+  for (const float number : {0.1f, -0.0f, 1e-45f, 3.4e38f, 1.0f / 3, INFINITY, 16777217.0f}) {
+    std::string text;
+    tools::appendFloat (number, text);
+    float again = 1;
+    ASSERT_TRUE (tools::parseValue (text, pcl::PCLPointField::FLOAT32, reinterpret_cast<std::uint8_t*> (&again))) << text;
+    EXPECT_EQ (std::memcmp (&number, &again, sizeof number), 0) << text;
+  }
+  std::uint8_t bytes[8];
+  EXPECT_TRUE (tools::parseValue ("NaN", pcl::PCLPointField::FLOAT32, bytes));
+  EXPECT_TRUE (tools::parseValue ("+1.5", pcl::PCLPointField::FLOAT64, bytes));
+  for (const char* text : {"", "1x", "--1", "0x10", "1,5"})
+    EXPECT_FALSE (tools::parseValue (text, pcl::PCLPointField::FLOAT32, bytes)) << text;
+  EXPECT_FALSE (tools::parseValue ("256", pcl::PCLPointField::UINT8, bytes));
+  EXPECT_FALSE (tools::parseValue ("-1", pcl::PCLPointField::UINT32, bytes));
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool_runner.h"
+
+#include <pcl_normal_smoothing/normal_smoothing.h>
+
+using namespace pcl_normal_smoothing;
+
+namespace
+{
+class SmoothingTool : public ToolTest
+{
+protected:
+  void
+  SetUp () override
+  {
+    savePcd (makeWave (), path ("wave.pcd"));
+  }
+
+  /** The bytes of what the tool makes of the wave. */
+  std::string
+  smoothed (const std::string& options)
+  {
+    parameters_ = succeed ("pcl_normal_smoothing " + options).out;
+    parameters_.erase (0, parameters_.find ("parameters: ") + 12);
+    return contentOf (path ("out.pcd"));
+  }
+
+  std::string
+  smoothedWave (const std::string& options)
+  {
+    return smoothed ("wave.pcd out.pcd " + options);
+  }
+
+  std::string parameters_;
+};
+
+const std::string paper = "-normals pca -weights gaussian -k 7 -normal_iterations 5 -point_iterations 7 -threshold 0.65 "
+                          "-sigma_s 0.3 -mixed printed -update paper -update_sigma_s 0.3333333333333333";
+} // namespace
+
+TEST_F (SmoothingTool, PresetPaperIsThisListOfOptions)
+{
+  EXPECT_EQ (smoothedWave ("-preset paper"), smoothedWave (paper));
+  EXPECT_EQ (smoothedWave ("-preset paper"), smoothedWave ("-preset fast " + paper));
+  EXPECT_NE (smoothedWave ("-preset paper"), smoothedWave ("-preset default"));
+}
+
+TEST_F (SmoothingTool, OptionsHoldOverPresetsInAnyOrder)
+{
+  const std::string expected = smoothedWave ("-preset paper -k 9 -weights threshold -threshold 0.5");
+  EXPECT_EQ (smoothedWave ("-k 9 -threshold 0.5 -weights threshold -preset paper"), expected);
+  EXPECT_EQ (smoothed ("-k 9 wave.pcd -weights threshold -preset paper out.pcd -threshold 0.5"), expected);
+  EXPECT_NE (smoothedWave ("-preset paper"), expected);
+}
+
+TEST_F (SmoothingTool, PrintedParametersGiveTheSameAgain)
+{
+  for (const std::string options :
+       {"", "-preset paper", "-preset fast -normals hough -seed 5", "-radius 1.1 -weights mixed -mixed rms -sigma_s 0.123456789",
+        "-k 9 -max_radius 0.7 -max_displacement 0.01 -update_sigma_s 0.1 -weights threshold"}) {
+    const std::string expected = smoothedWave (options), parameters = parameters_;
+    EXPECT_EQ (smoothedWave (parameters), expected) << options << "\n" << parameters;
+    EXPECT_EQ (parameters_, parameters);
+  }
+}
+
+TEST_F (SmoothingTool, ThreadsDoNotMatter)
+{
+  for (const std::string options : {"-normals hough", "-weights mixed -mixed rms", "-preset paper -format compressed"})
+    EXPECT_EQ (smoothedWave (options + " -threads 1"), smoothedWave (options + " -threads 2"));
+}
+
+TEST_F (SmoothingTool, DoesWhatTheClassDoes)
+{
+  smoothedWave ("-k 10 -normal_iterations 2 -point_iterations 3 -weights threshold -max_displacement 0.05");
+  NormalSmoothing<pcl::PCLPointCloud2> smoothing;
+  smoothing.setInputCloud (readPcdFile (path ("wave.pcd")).cloud);
+  smoothing.setKSearch (10);
+  smoothing.setNormalIterations (2);
+  smoothing.setPointIterations (3);
+  smoothing.setNormalWeight (NormalWeight::THRESHOLD);
+  smoothing.setMaxDisplacement (0.05);
+  pcl::PCLPointCloud2 expected;
+  smoothing.filter (expected);
+  EXPECT_EQ (readPcdFile (path ("out.pcd")).cloud->data, expected.data);
+}
+
+TEST_F (SmoothingTool, NoProgressAndNoNoiseOffTheTerminal)
+{
+  EXPECT_EQ (succeed ("pcl_normal_smoothing wave.pcd out.pcd").err, "");
+}
+
+TEST_F (SmoothingTool, SaysThatFacesAreLeftOut)
+{
+  writeText (path ("mesh.ply"), "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                                "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                                "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  EXPECT_NE (succeed ("pcl_normal_smoothing mesh.ply out.pcd -k 4").err.find ("2 faces"), std::string::npos);
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "double_torus.h"
+
+#include "mesh_edges.h"
+
+#include <pcl_normal_smoothing/core/error.h>
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <array>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+constexpr double thickness = 0.12, flatness = 0.8;
+const Eigen::Vector3d box (1.2, 0.7, 0.25); // half the sides of a box around the surface
+
+/** The implicit function, below 0 inside. */
+double
+valueAt (const Eigen::Vector3d& p)
+{
+  const double eight = p.x () * p.x () * (1 - p.x () * p.x ()) - p.y () * p.y (); // 0 along a figure of eight
+  return eight * eight + flatness * flatness * p.z () * p.z () - thickness * thickness;
+}
+
+Eigen::Vector3d
+gradientAt (const Eigen::Vector3d& p)
+{
+  const double eight = p.x () * p.x () * (1 - p.x () * p.x ()) - p.y () * p.y ();
+  return {2 * eight * (2 * p.x () - 4 * p.x () * p.x () * p.x ()), -4 * eight * p.y (), 2 * flatness * flatness * p.z ()};
+}
+
+/** Newton's method along the gradient. */
+Eigen::Vector3d
+projected (Eigen::Vector3d p)
+{
+  for (int step = 0; step < 10; ++step) {
+    const Eigen::Vector3d gradient = gradientAt (p);
+    p -= valueAt (p) / std::max (gradient.squaredNorm (), 1e-12) * gradient;
+  }
+  return p;
+}
+
+/** The surface in cells of side \a spacing. */
+Mesh
+sampled (double spacing)
+{
+  vtkNew<vtkImageData> grid;
+  std::array<int, 3> size;
+  for (std::size_t d = 0; d < 3; ++d)
+    size[d] = static_cast<int> (2 * box[static_cast<int> (d)] / spacing) + 2;
+  grid->SetDimensions (size.data ());
+  grid->SetSpacing (spacing, spacing, spacing);
+  grid->SetOrigin (Eigen::Vector3d (-box).data ());
+  grid->AllocateScalars (VTK_DOUBLE, 1);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints (); ++i)
+    grid->GetPointData ()->GetScalars ()->SetTuple1 (i, valueAt (Eigen::Vector3d (grid->GetPoint (i))));
+  vtkNew<vtkFlyingEdges3D> surface;
+  surface->SetInputData (grid);
+  surface->SetValue (0, 0.0);
+  surface->ComputeNormalsOff ();
+  surface->Update ();
+  vtkPolyData* output = surface->GetOutput ();
+  Mesh mesh;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints (); ++i)
+    mesh.vertices.push_back (projected (Eigen::Vector3d (output->GetPoint (i))));
+  for (vtkIdType t = 0; t < output->GetNumberOfCells (); ++t) {
+    vtkIdType count;
+    const vtkIdType* corners;
+    output->GetPolys ()->GetCellAtId (t, count, corners);
+    mesh.triangles.push_back ({static_cast<std::uint32_t> (corners[0]), static_cast<std::uint32_t> (corners[2]),
+                               static_cast<std::uint32_t> (corners[1])}); // VTK's face down the gradient
+  }
+  return mesh;
+}
+
+/** Moves every vertex to the middle of its neighbours, and back to the surface. */
+void
+relax (Mesh& mesh)
+{
+  std::vector<Eigen::Vector3d> sums (mesh.vertices.size (), Eigen::Vector3d::Zero ());
+  std::vector<double> counts (mesh.vertices.size ());
+  for (const MeshEdge& edge : edgesOf (mesh))
+    for (const auto& [a, b] : {std::pair (edge.a, edge.b), std::pair (edge.b, edge.a)}) {
+      sums[a] += mesh.vertices[b];
+      counts[a] += 1;
+    }
+  for (std::size_t i = 0; i < mesh.vertices.size (); ++i)
+    mesh.vertices[i] = projected (mesh.vertices[i] + 0.5 * (sums[i] / counts[i] - mesh.vertices[i]));
+}
+} // namespace
+
+Mesh
+makeDoubleTorus (std::size_t vertices)
+{
+  // Slightly too few vertices from the grid, the rest from splitting the longest edges.
+  double spacing = 0.2;
+  Mesh mesh = sampled (spacing);
+  for (Mesh finer = mesh; finer.vertices.size () <= vertices; finer = sampled (spacing)) {
+    mesh = std::move (finer);
+    spacing *= 0.99;
+  }
+  constexpr int rounds = 60;
+  for (int round = 0; round < rounds; ++round) {
+    while (mesh.vertices.size () < vertices)
+      splitLongestEdges (vertices - mesh.vertices.size (), mesh);
+    flipEdges (mesh);
+    relax (mesh);
+  }
+  while (flipEdges (mesh) > 0) {
+  }
+  const auto v = static_cast<std::ptrdiff_t> (mesh.vertices.size ()), f = static_cast<std::ptrdiff_t> (mesh.triangles.size ());
+  if (mesh.vertices.size () != vertices || v - static_cast<std::ptrdiff_t> (edgesOf (mesh).size ()) + f != -2)
+    throw core::Error ("no double torus of " + std::to_string (vertices) + " vertices came about: try another number");
+  return mesh;
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

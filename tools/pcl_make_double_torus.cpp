@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_io.h"
+#include "double_torus.h"
+#include "output_file.h"
+#include "tool.h"
+#include "tool_error.h"
+
+#include <cstdio>
+
+using namespace pcl_normal_smoothing;
+
+namespace
+{
+class MakeDoubleTorusTool : public tools::Tool
+{
+  void
+  describe (tools::Options& options) override
+  {
+    options.describe ("Writes a triangle mesh of a double torus, to try the other tools on.", {"output.ply"});
+    options.add ("-vertices", "N", "number of vertices", std::to_string (vertices_),
+                 tools::integerOption (1000, 100000, [this] (auto number) { vertices_ = static_cast<std::size_t> (number); }));
+  }
+
+  void
+  work (const tools::Options& options) override
+  {
+    if (tools::extensionOf (options.file (0)) != ".ply")
+      throw tools::UsageError (options.file (0) + ": the mesh is written as PLY: end the name in .ply");
+    tools::checkWritable (options.file (0));
+    const tools::Mesh mesh = tools::makeDoubleTorus (vertices_);
+    tools::saveMesh (mesh, options.file (0));
+    std::printf ("%s: %zu vertices, %zu triangles\n", options.file (0).c_str (), mesh.vertices.size (), mesh.triangles.size ());
+  }
+
+  std::size_t vertices_ = 4350; // as many as the paper's has
+};
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  MakeDoubleTorusTool tool;
+  return tools::runTool (argc, argv, tool);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+/** Named numbers, for people or for programs. */
+class Report
+{
+public:
+  void
+  add (const std::string& name, double value, const std::string& meaning);
+
+  /** \param[in] json one line of JSON, null where a number is not finite; otherwise a line a number */
+  void
+  print (bool json) const;
+
+private:
+  struct Entry
+  {
+    std::string name, value, meaning;
+  };
+
+  std::vector<Entry> entries_;
+};
+} // namespace tools
+} // namespace pcl_normal_smoothing

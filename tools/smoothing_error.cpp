@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smoothing_error.h"
+
+#include <pcl_normal_smoothing/core/neighbor_graph.h>
+#include <pcl_normal_smoothing/core/surface_estimation.h>
+
+#include <vtkCellArray.h>
+#include <vtkGenericCell.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStaticCellLocator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr double pi = 3.14159265358979324;
+
+/** The mesh for VTK, moved by -\a origin: far from zero its tolerances would be those of large numbers. */
+vtkNew<vtkPolyData>
+toVtk (const Mesh& mesh, const Eigen::Vector3d& origin)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble ();
+  for (const Eigen::Vector3d& vertex : mesh.vertices)
+    points->InsertNextPoint (Eigen::Vector3d (vertex - origin).data ());
+  vtkNew<vtkCellArray> cells;
+  for (const Mesh::Triangle& t : mesh.triangles)
+    cells->InsertNextCell ({static_cast<vtkIdType> (t[0]), static_cast<vtkIdType> (t[1]), static_cast<vtkIdType> (t[2])});
+  vtkNew<vtkPolyData> data;
+  data->SetPoints (points);
+  data->SetPolys (cells);
+  return data;
+}
+
+/** The surface variation of every point. */
+std::vector<double>
+variations (const Points& points, unsigned k)
+{
+  core::Positions cloud;
+  for (const Eigen::Vector3d& point : points) { // as readPositions does with a cloud
+    cloud.base.push_back (point.cast<float> ());
+    cloud.offset.push_back ((point - cloud.base.back ().cast<double> ()).cast<float> ());
+  }
+  core::NeighborQuery query;
+  query.k = k;
+  const core::Execution execution;
+  const auto graph = core::NeighborGraph::build (cloud, query, execution);
+  const auto surfaces =
+      core::estimateSurfaces (*graph, core::gather (cloud, graph->order ()), core::pcaSurface, execution);
+  std::vector<double> result (points.size (), std::numeric_limits<double>::quiet_NaN ());
+  for (std::size_t node = 0; node < surfaces.size (); ++node)
+    result[graph->order ()[node]] = surfaces[node].variation;
+  return result;
+}
+
+/** Mean of what is not NaN; NaN of nothing. */
+double
+meanOf (const std::vector<double>& numbers)
+{
+  double sum = 0;
+  std::size_t count = 0;
+  for (const double number : numbers)
+    if (!std::isnan (number)) {
+      sum += number;
+      ++count;
+    }
+  return sum / static_cast<double> (count);
+}
+} // namespace
+
+SurfaceDistance
+distanceToMesh (const Points& points, const Mesh& mesh)
+{
+  const Eigen::Vector3d origin = mesh.vertices.front ();
+  const vtkNew<vtkPolyData> data = toVtk (mesh, origin);
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet (data);
+  locator->BuildLocator ();
+  vtkNew<vtkGenericCell> cell;
+  SurfaceDistance result;
+  double sum = 0, sum_of_squares = 0;
+  for (const Eigen::Vector3d& point : points) {
+    double closest[3], squared = 0;
+    vtkIdType cell_id;
+    int sub_id;
+    locator->FindClosestPoint (Eigen::Vector3d (point - origin).data (), closest, cell, cell_id, sub_id, squared);
+    sum += std::sqrt (squared);
+    sum_of_squares += squared;
+    result.max = std::max (result.max, std::sqrt (squared));
+  }
+  const auto count = static_cast<double> (points.size ());
+  result.mean = sum / count;
+  result.rms = std::sqrt (sum_of_squares / count);
+  return result;
+}
+
+double
+areaError (const Points& points, const Mesh& mesh)
+{
+  const double clean = area (mesh);
+  return std::abs (area ({points, mesh.triangles}) - clean) / clean;
+}
+
+double
+variationError (const Points& points, const Points& clean, unsigned k)
+{
+  std::vector<double> difference = variations (points, k);
+  const std::vector<double> expected = variations (clean, k);
+  for (std::size_t i = 0; i < difference.size (); ++i)
+    difference[i] = std::abs (difference[i] - expected[i]);
+  return meanOf (difference);
+}
+
+double
+meanAngle (const std::vector<Eigen::Vector3d>& normals, const Mesh& mesh)
+{
+  const std::vector<Eigen::Vector3d> expected = vertexNormals (mesh);
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < normals.size (); ++i) {
+    // atan2 keeps small angles, which acos of a cosine near 1 does not.
+    const double cosine = std::abs (normals[i].dot (expected[i])), sine = normals[i].cross (expected[i]).norm ();
+    angles.push_back (cosine + sine > 0 ? std::atan2 (sine, cosine) * 180 / pi : std::nan (""));
+  }
+  return meanOf (angles);
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing
