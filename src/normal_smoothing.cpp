@@ -74,6 +74,7 @@ NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
   const auto graph = obtainGraph (filter_name_, run.cloud (), cloud, whole.part (0, 0.5));
   const auto research = options.update.search_interval > 0 ? makeResearch (graph, cloud) : core::Research ();
   run.smooth (graph, normals, research, whole.part (0.5, 1));
+  used_options_ = run.options ();
   run.writePositions (layout, output.data.data ());
   if (save_normals_)
     run.writeNormals (requireNormals (*input_, ": add them before setSaveNormals"), output.data.data ());

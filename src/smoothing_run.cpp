@@ -8,8 +8,7 @@ SmoothingRun::SmoothingRun (const core::SmoothingOptions& options,
                             const pcl::Indices& indices)
 : options_ (options), selected_ (selectPoints (indices, positions.size)), cloud_ (readPositions (positions))
 {
-  core::check (options.filter);
-  core::check (options.update);
+  core::check (options);
 }
 
 void
@@ -24,6 +23,7 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
   displacements_ = nodes.offset;
   if (normals)
     normals_ = readNormals (*normals, graph->order ());
+  core::estimateOptions (*graph, nodes, core::Execution (static_cast<unsigned> (execution.threads ())), options_);
   core::smooth (graph, options_, research, execution, nodes, normals_);
   for (std::size_t node = 0; node < nodes.size (); ++node)
     displacements_[node] = nodes.offset[node] - displacements_[node];

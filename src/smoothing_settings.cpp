@@ -17,8 +17,11 @@ presetOptions (SmoothingPreset preset)
     options.update.iterations = 7;
     return options;
   }
-  options.filter.iterations = 4;
+  options.filter.iterations = 2;
   options.update.iterations = 2;
+  options.rounds.noise = {-1, -1};
+  options.rounds.fast = preset == SmoothingPreset::FAST;
+  options.rounds.rounds = options.rounds.fast ? 3 : 6;
   return options;
 }
 
@@ -36,6 +39,7 @@ core::SmoothingOptions
 SmoothingSettings::options () const
 {
   core::SmoothingOptions options = presetOptions (preset_);
+  options.robust = !choosesChain ();
   overwrite (options.normals, normal_source_);
   overwrite (options.filter.weight, normal_weight_);
   overwrite (options.filter.threshold, threshold_);
@@ -45,16 +49,31 @@ SmoothingSettings::options () const
   overwrite (options.update.rule, update_rule_);
   overwrite (options.update.sigma_s, update_sigma_s_);
   overwrite (options.update.iterations, point_iterations_);
+  overwrite (options.rounds.rounds, point_iterations_);
   overwrite (options.update.max_displacement, max_displacement_);
+  overwrite (options.rounds.max_displacement, max_displacement_);
+  overwrite (options.rounds.noise.sigma, noise_sigma_);
+  overwrite (options.rounds.noise.spacing, point_spacing_);
   options.update.search_interval = search_interval_;
-  options.filter.oriented = options.update.oriented = oriented_;
+  options.filter.oriented = options.update.oriented = options.rounds.oriented = oriented_;
   options.hough.seed = seed_;
   return options;
+}
+
+bool
+SmoothingSettings::choosesChain () const
+{
+  return preset_ == SmoothingPreset::PAPER || normal_weight_ || threshold_ || sigma_s_ || mixed_threshold_ ||
+         normal_iterations_ || update_rule_ || update_sigma_s_ || search_interval_ != 0;
 }
 
 int
 SmoothingSettings::presetK () const
 {
-  return preset_ == SmoothingPreset::PAPER ? 7 : 15;
+  if (preset_ == SmoothingPreset::PAPER)
+    return 7;
+  if (choosesChain ())
+    return 15;
+  return preset_ == SmoothingPreset::FAST ? 16 : 32;
 }
 } // namespace pcl_normal_smoothing

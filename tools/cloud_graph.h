@@ -40,7 +40,7 @@ searchNeighbors (const CloudFile& file, const core::NeighborQuery& query, const 
 void
 addNormalFields (CloudFile& file, const std::vector<std::string>& more = {});
 
-/** Loads a cloud, and says what of the file is left out. */
+/** Loads a cloud, and says what of the file is left out. \throw core::Error where it has no positions */
 CloudFile
 loadInput (const std::string& path);
 

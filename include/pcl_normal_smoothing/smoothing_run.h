@@ -30,6 +30,13 @@ public:
           const core::Research& research,
           const core::Execution& execution);
 
+  /** With what was estimated from the cloud. */
+  const core::SmoothingOptions&
+  options () const
+  {
+    return options_;
+  }
+
   /** Moves the indexed points of the cloud at \a data. */
   void
   writePositions (const VectorLayout& layout, std::uint8_t* data) const;

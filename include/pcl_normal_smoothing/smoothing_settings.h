@@ -10,12 +10,16 @@ namespace pcl_normal_smoothing
 /** A set of parameters. Whatever is set explicitly holds over it, in any order. */
 enum class SmoothingPreset
 {
-  DEFAULT, //!< the best quality
-  FAST,    //!< the best at three tenths of the cost
+  DEFAULT, //!< the best quality: robust smoothing in rounds, by the noise that the cloud has
+  FAST,    //!< the best at three tenths of the cost: fewer rounds over smaller neighbourhoods
   PAPER    //!< PGU7 of Valdivia et al. 2013 with 5 normal and 7 point iterations, as on its scanned bust
 };
 
-/** The parameters of NormalSmoothing. */
+/** The parameters of NormalSmoothing.
+  *
+  * The presets DEFAULT and FAST smooth in rounds, which need no parameter. Where one of the parameters of the paper's chain
+  * is set (the normal filter's, or the update's rule or sigma_s), the chain runs in their place: WPCA, k 15, Gaussian
+  * weights, 2 normal iterations, 2 compensated point iterations, apart from what is set. */
 class SmoothingSettings
 {
 public:
@@ -32,7 +36,7 @@ public:
     return preset_;
   }
 
-  /** Where the normals come from. */
+  /** Where the normals come from; in rounds: those of the first. Default NormalSource::WPCA. */
   void
   setNormalSource (NormalSource source)
   {
@@ -88,14 +92,15 @@ public:
     update_sigma_s_ = sigma_s;
   }
 
-  /** Iterations of the point update, range >= 0. */
+  /** Iterations of the point update, range >= 0; rounds of DEFAULT (6) and FAST (3), range 0 to 6. */
   void
   setPointIterations (int iterations)
   {
     point_iterations_ = iterations;
   }
 
-  /** No point ends farther from where it began, in the cloud's unit, range > 0. */
+  /** No point ends farther from where it began, in the cloud's unit, range > 0. Default: five times the noise in rounds,
+    * no limit in the chain. */
   void
   setMaxDisplacement (double distance)
   {
@@ -117,6 +122,21 @@ public:
     oriented_ = oriented;
   }
 
+  /** Standard deviation of the noise along the normal, in the cloud's unit, range >= 0, for rounds. Default: estimated from
+    * the cloud, see SurfaceNoiseEstimation. */
+  void
+  setNoiseSigma (double sigma)
+  {
+    noise_sigma_ = sigma;
+  }
+
+  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds. Default: estimated. */
+  void
+  setPointSpacing (double spacing)
+  {
+    point_spacing_ = spacing;
+  }
+
   /** Of NormalSource::HOUGH. Default 0. */
   void
   setSeed (std::uint64_t seed)
@@ -124,9 +144,16 @@ public:
     seed_ = seed;
   }
 
-  /** The preset with all that was set explicitly. */
+  /** The preset with all that was set explicitly; what the cloud has to tell is below 0. */
   core::SmoothingOptions
   options () const;
+
+  /** What the last run used, with what it estimated from the cloud: set explicitly, it gives the same result. */
+  const core::SmoothingOptions&
+  usedOptions () const
+  {
+    return used_options_;
+  }
 
 protected:
   /** k of the preset, where neither k nor a radius is set. */
@@ -135,7 +162,12 @@ protected:
 
   ~SmoothingSettings () = default;
 
+  core::SmoothingOptions used_options_;
+
 private:
+  bool
+  choosesChain () const;
+
   SmoothingPreset preset_ = SmoothingPreset::DEFAULT;
   std::optional<NormalSource> normal_source_;
   std::optional<NormalWeight> normal_weight_;
@@ -147,6 +179,8 @@ private:
   std::optional<double> update_sigma_s_;
   std::optional<int> point_iterations_;
   std::optional<double> max_displacement_;
+  std::optional<double> noise_sigma_;
+  std::optional<double> point_spacing_;
   int search_interval_ = 0;
   bool oriented_ = false;
   std::uint64_t seed_ = 0;

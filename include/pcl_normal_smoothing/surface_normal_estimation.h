@@ -35,7 +35,17 @@ public:
 
   /** The viewpoint of setViewPoint, or else the sensor origin of the input cloud, zero without a cloud. */
   void
-  getViewPoint (float& x, float& y, float& z) const;
+  getViewPoint (float& x, float& y, float& z) const
+  {
+    // Here and not in impl: the classes that are compiled into the library do not bring all of their base with them.
+    Eigen::Vector3f view_point = view_point_;
+    if (use_sensor_origin_)
+      view_point = this->input_ ? Eigen::Vector3f (this->input_->sensor_origin_.template head<3> ())
+                                : Eigen::Vector3f (Eigen::Vector3f::Zero ());
+    x = view_point.x ();
+    y = view_point.y ();
+    z = view_point.z ();
+  }
 
   /** Normals point to the sensor origin of the input cloud. */
   void

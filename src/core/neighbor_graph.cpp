@@ -122,6 +122,15 @@ NeighborGraph::row (std::size_t node) const
   return Row (blockRows (block) + node % block_size, size, block_size);
 }
 
+std::size_t
+NeighborGraph::minRowLength () const
+{
+  std::size_t length = size () == 0 ? 0 : row (0).size ();
+  for (std::size_t node = 1; node < size (); ++node)
+    length = std::min (length, row (node).size ());
+  return length;
+}
+
 namespace
 {
 /** Every row has this length; 0 = they differ. */

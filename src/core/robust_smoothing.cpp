@@ -175,7 +175,7 @@ private:
   void
   takeSteps (float gain)
   {
-    const std::size_t k = options_.fast ? fine_k : max_k;
+    const auto k = static_cast<std::size_t> (std::min (options_.k, max_k));
     weights_.resize (graph_.blockRows (graph_.blockCount ()) - graph_.blockRows (0));
     risks_.resize (graph_.size ());
     StepControl control {};

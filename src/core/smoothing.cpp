@@ -9,6 +9,52 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
+namespace
+{
+// Beyond this many standard deviations of the noise no point has any business.
+constexpr float displacement_sigmas = 5;
+constexpr std::uint32_t noise_k = 16;
+
+void
+requireNormals (const Vectors& normals)
+{
+  if (std::all_of (normals.begin (), normals.end (), [] (const auto& n) { return std::isnan (n.x ()); }))
+    throw Error ("no point has a normal: every neighbourhood has fewer than 3 points or lies on a line; "
+                 "the cloud must sample a surface, with a neighbourhood that holds at least 3 points");
+}
+} // namespace
+
+void
+check (const SmoothingOptions& options)
+{
+  check (options.filter);
+  check (options.update);
+  RobustSmoothingOptions rounds = options.rounds;
+  rounds.noise.sigma = std::max (rounds.noise.sigma, 0.0f); // below 0 means that it is to be estimated
+  rounds.noise.spacing = std::max (rounds.noise.spacing, 0.0f);
+  if (options.robust)
+    check (rounds);
+}
+
+void
+estimateOptions (const NeighborGraph& graph,
+                 const Positions& positions,
+                 const Execution& execution,
+                 SmoothingOptions& options)
+{
+  NoiseEstimate& noise = options.rounds.noise;
+  if (options.robust && (noise.sigma < 0 || noise.spacing < 0)) {
+    // A graph by radius, or of small neighbourhoods, does not show what the estimate needs.
+    const bool fits = graph.minRowLength () >= std::min<std::size_t> (noise_k, graph.size ());
+    const NoiseEstimate estimate =
+        estimateNoise (fits ? graph : *graph.rebuild (positions, NeighborQuery {noise_k}, execution), positions, execution);
+    noise.sigma = noise.sigma < 0 ? estimate.sigma : noise.sigma;
+    noise.spacing = noise.spacing < 0 ? estimate.spacing : noise.spacing;
+  }
+  if (options.robust && !std::isfinite (options.rounds.max_displacement) && noise.sigma > 0)
+    options.rounds.max_displacement = displacement_sigmas * noise.sigma;
+}
+
 void
 smooth (const NeighborGraph::ConstPtr& graph,
         const SmoothingOptions& options,
@@ -20,9 +66,9 @@ smooth (const NeighborGraph::ConstPtr& graph,
   if (options.normals != NormalSource::INPUT)
     normals = estimateNormals (*graph, positions, makeEstimator (options.normals, options.hough),
                                execution.part (0, 0.3));
-  if (std::all_of (normals.begin (), normals.end (), [] (const auto& n) { return std::isnan (n.x ()); }))
-    throw Error ("no point has a normal: every neighbourhood has fewer than 3 points or lies on a line; "
-                 "the cloud must sample a surface, with a neighbourhood that holds at least 3 points");
+  requireNormals (normals);
+  if (options.robust)
+    return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), positions, normals);
   filterNormals (*graph, positions, options.filter, execution.part (0.3, 0.7), normals);
   updatePoints (graph, normals, options.update, research, execution.part (0.7, 1), positions);
 }

@@ -12,19 +12,17 @@ template <typename FilterT>
 class FilterBadInput : public FilterTest<FilterT>
 {
 protected:
-  using Point = typename FilterBadInput::Point;
-
   /** The filter on other points than the fixture's. */
   void
   prepareFor (FilterT& filter, const Vectors& points, const Vectors& normals)
   {
-    this->cloud_ = makeCloud<Point> (points, normals);
+    this->cloud_ = makeCloud<typename FilterBadInput::Point> (points, normals);
     this->prepare (filter, this->cloud_, normals);
     filter.setKSearch (10);
   }
 
   static void
-  expectFinite (const pcl::PointCloud<Point>& cloud)
+  expectFinite (const typename FilterBadInput::Cloud& cloud)
   {
     for (const auto& point : cloud) {
       EXPECT_TRUE (point.getVector3fMap ().allFinite ()) << point;

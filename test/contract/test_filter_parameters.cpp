@@ -250,16 +250,21 @@ TEST_F (SmoothingParameters, IsTheChainOfItsStages)
   whole.setPointIterations (2);
 
   Bilateral filter;
-  prepare (filter);
+  filter.setInputCloud (cloud_);
+  filter.setKSearch (10);
   filter.setSigmaS (0.4);
   filter.setMaxIterations (3);
-  const auto filtered = run (filter).makeShared ();
+  const auto filtered = std::make_shared<Cloud> ();
+  filter.filter (*filtered);
   Update update;
-  prepare (update, filtered, {});
+  update.setInputCloud (filtered);
   update.setKSearch (10);
   update.setSigmaS (0.05);
   update.setMaxIterations (2);
-  const auto expected = run (update), output = run (whole);
+  Cloud expected;
+  update.filter (expected);
+  const Cloud output = run (whole);
+  ASSERT_EQ (output.size (), expected.size ());
   for (std::size_t i = 0; i < output.size (); ++i) // between the stages normals are stored and normalised anew
     EXPECT_LT ((output[i].getVector3fMap () - expected[i].getVector3fMap ()).norm (), 1e-5) << "point " << i;
 }

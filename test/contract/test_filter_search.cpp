@@ -11,23 +11,20 @@ using pcl_normal_smoothing::buildNeighborGraph;
 
 template <typename FilterT>
 class FilterSearch : public FilterTest<FilterT>
-{
-protected:
-  using Point = typename FilterSearch::Point;
-};
+{};
 
 TYPED_TEST_SUITE (FilterSearch, OneOfEachFilter);
 
 TYPED_TEST (FilterSearch, EverySearchObjectGivesTheSame)
 {
-  using Point = typename TestFixture::Point;
+  using PointT = typename TestFixture::Point;
   const auto by_k = this->result ();
   TypeParam by_radius_filter;
   this->prepare (by_radius_filter);
   by_radius_filter.setKSearch (0);
   by_radius_filter.setRadiusSearch (0.35);
   const auto by_radius = this->run (by_radius_filter);
-  for (const auto& search : userSearches<Point> ()) {
+  for (const auto& search : userSearches<PointT> ()) {
     SCOPED_TRACE (search->getName ());
     TypeParam filter;
     this->prepare (filter);
@@ -41,11 +38,11 @@ TYPED_TEST (FilterSearch, EverySearchObjectGivesTheSame)
 
 TYPED_TEST (FilterSearch, EverySearchObjectLeavesOutPointsThatAreNotFinite)
 {
-  using Point = typename TestFixture::Point;
+  using PointT = typename TestFixture::Point;
   for (std::size_t i = 0; i < this->points_.size (); i += 9)
     (*this->cloud_)[i].y = nan_float;
   const auto expected = this->result ();
-  for (const auto& search : userSearches<Point> ()) {
+  for (const auto& search : userSearches<PointT> ()) {
     SCOPED_TRACE (search->getName ());
     TypeParam filter;
     this->prepare (filter);
@@ -56,7 +53,7 @@ TYPED_TEST (FilterSearch, EverySearchObjectLeavesOutPointsThatAreNotFinite)
 
 TYPED_TEST (FilterSearch, TheMaximalDistanceLimitsK)
 {
-  using Point = typename TestFixture::Point;
+  using PointT = typename TestFixture::Point;
   TypeParam filter;
   this->prepare (filter);
   filter.setMaxNeighborDistance (0.2);
@@ -66,7 +63,7 @@ TYPED_TEST (FilterSearch, TheMaximalDistanceLimitsK)
   for (std::size_t i = 0; i < free.size (); ++i)
     differs = differs || !samePoint (free[i], limited[i]);
   EXPECT_TRUE (differs);
-  for (const auto& search : userSearches<Point> ()) {
+  for (const auto& search : userSearches<PointT> ()) {
     filter.setSearchMethod (search);
     expectSamePoints (this->run (filter), limited);
   }
@@ -76,8 +73,8 @@ TYPED_TEST (FilterSearch, TheMaximalDistanceLimitsK)
 
 TYPED_TEST (FilterSearch, APointMovedBehindItsPointerIsFoundWhereItIs)
 {
-  using Point = typename TestFixture::Point;
-  for (const auto& search : userSearches<Point> ()) {
+  using PointT = typename TestFixture::Point;
+  for (const auto& search : userSearches<PointT> ()) {
     SCOPED_TRACE (search->getName ());
     TypeParam filter;
     this->prepare (filter);
@@ -101,13 +98,13 @@ TYPED_TEST (FilterSearch, ASearchThatThrowsIsAnError)
 
 TYPED_TEST (FilterSearch, ASearchMayFindLessThanItWasGivenRoomFor)
 {
-  using Point = typename TestFixture::Point;
+  using PointT = typename TestFixture::Point;
   TypeParam filter;
   this->prepare (filter);
   filter.setKSearch (6);
   const auto expected = this->run (filter);
   filter.setKSearch (10);
-  filter.setSearchMethod (std::make_shared<ShortSearch<Point>> (6));
+  filter.setSearchMethod (std::make_shared<ShortSearch<PointT>> (6));
   expectSamePoints (this->run (filter), expected);
 }
 
@@ -121,23 +118,23 @@ TYPED_TEST (FilterSearch, ASearchOfAnotherCloudIsAnError)
 
 TYPED_TEST (FilterSearch, AnAbsurdKDoesNotTakeAbsurdMemory)
 {
-  using Point = typename TestFixture::Point;
+  using PointT = typename TestFixture::Point;
   TypeParam filter;
   this->prepare (filter);
   filter.setKSearch (300);
   const auto expected = this->run (filter);
   filter.setKSearch (2147483647);
   expectSamePoints (this->run (filter), expected);
-  filter.setSearchMethod (std::make_shared<pcl::search::KdTree<Point>> ());
+  filter.setSearchMethod (std::make_shared<pcl::search::KdTree<PointT>> ());
   expectSamePoints (this->run (filter), expected);
 }
 
 TYPED_TEST (FilterSearch, ASharedGraphGivesTheSame)
 {
-  using Point = typename TestFixture::Point;
-  const auto graph = buildNeighborGraph<Point> (this->cloud_, 10);
+  using PointT = typename TestFixture::Point;
+  const auto graph = buildNeighborGraph<PointT> (this->cloud_, 10);
   for (const auto& shared :
-       {graph, buildNeighborGraph<Point> (this->cloud_, 10, 0, std::make_shared<pcl::search::KdTree<Point>> ())}) {
+       {graph, buildNeighborGraph<PointT> (this->cloud_, 10, 0, std::make_shared<pcl::search::KdTree<PointT>> ())}) {
     TypeParam filter;
     this->prepare (filter);
     filter.setKSearch (0);
@@ -149,14 +146,14 @@ TYPED_TEST (FilterSearch, ASharedGraphGivesTheSame)
 
 TYPED_TEST (FilterSearch, AGraphOfAnotherCloudIsRefused)
 {
-  using Point = typename TestFixture::Point;
+  using PointT = typename TestFixture::Point;
   const Shape ball = sphere (77, 1);
   TypeParam filter;
   this->prepare (filter);
-  filter.setNeighborGraph (buildNeighborGraph<Point> (makeCloud<Point> (ball.points, ball.normals), 10));
+  filter.setNeighborGraph (buildNeighborGraph<PointT> (makeCloud<PointT> (ball.points, ball.normals), 10));
   this->expectError (filter, "77");
 
-  filter.setNeighborGraph (buildNeighborGraph<Point> (this->cloud_, 10));
+  filter.setNeighborGraph (buildNeighborGraph<PointT> (this->cloud_, 10));
   this->run (filter);
   (*this->cloud_)[123].z = nan_float;
   this->expectError (filter, "123");

@@ -2,6 +2,7 @@
 #include "field_values.h"
 #include "tool_runner.h"
 
+#include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 
 using namespace pcl_normal_smoothing;
@@ -23,8 +24,9 @@ expectSmoothed (const tools::CloudFile& before, const tools::CloudFile& after)
   }
   std::size_t moved = 0;
   for (std::size_t i = 0; i < 300; ++i)
-    if (i == 7 || i == 100)
+    if (i == 7 || i == 100) {
       EXPECT_TRUE (positionOf (after, i).array ().isNaN ().all ()) << i;
+    }
     else
       moved += positionOf (before, i) != positionOf (after, i);
   EXPECT_GT (moved, 290u);
@@ -123,8 +125,9 @@ TEST_F (FieldsKept, DoublePositionsFarAway)
   const tools::CloudFile near = readPcdFile (path ("near_out.pcd")), far = readPcdFile (path ("far_out.pcd"));
   EXPECT_EQ (tools::findField (*far.cloud, "x")->datatype, Field::FLOAT64);
   for (std::size_t i = 0; i < 300; ++i)
-    if (i != 7 && i != 100)
+    if (i != 7 && i != 100) {
       EXPECT_LT ((positionOf (far, i) - Eigen::Vector3d (5e6, -4e6, 3e3) - positionOf (near, i)).norm (), 1e-6) << i;
+    }
 }
 
 TEST_F (FieldsKept, SavedNormals)

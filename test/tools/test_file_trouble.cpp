@@ -77,8 +77,8 @@ TEST_F (FileTrouble, PcdThatLies)
   expectUnreadable ("a.pcd", pcd ("99999999999999999999", "ascii\n"), "WIDTH");
   expectUnreadable ("a.pcd", pcd ("-5", "ascii\n"), "WIDTH");
   expectUnreadable ("a.pcd", pcd ("4000000000", "binary\n"), "more points");
-  expectUnreadable ("a.pcd", pcd ("2", "ascii\n1 2 3\n"), "point 1");
-  expectUnreadable ("a.pcd", pcd ("2", "ascii\n1 2 3\n4 5\n"), "point 1");
+  expectUnreadable ("a.pcd", pcd ("2", "ascii\n1 2 3\n"), "truncated");
+  expectUnreadable ("a.pcd", pcd ("2", "ascii\n1.25 2.25 3.25\n4 5\n"), "point 1 is missing");
   expectUnreadable ("a.pcd", pcd ("1", "ascii\n1 2 three\n"), "three");
   expectUnreadable ("a.pcd", pcd ("1", "ascii\n1 2 3 4\n"), "more values");
   expectUnreadable ("a.pcd", pcd ("1", "base64\nAAAA\n"), "DATA");

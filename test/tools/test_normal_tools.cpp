@@ -111,8 +111,9 @@ TEST_F (NormalTools, OneAfterTheOtherIsThePipeline)
            "-update compensated -update_sigma_s 0.03 -sigma_s 0.3 -point_iterations 2");
   const Cloud::Ptr whole = load (path ("whole.pcd")), parts = load (path ("moved.pcd"));
   for (std::size_t i = 0; i < whole->size (); ++i)
-    if (i != 7 && i != 100)
+    if (i != 7 && i != 100) {
       EXPECT_LT (((*whole)[i].getVector3fMap () - (*parts)[i].getVector3fMap ()).norm (), 1e-5f) << i;
+    }
 }
 
 TEST_F (NormalTools, OtherFieldsStay)
@@ -149,6 +150,7 @@ TEST_F (NormalTools, DoublePositionsFarAway)
   const tools::CloudFile near_out = readPcdFile (path ("near_m.pcd")), far_out = readPcdFile (path ("far_m.pcd"));
   EXPECT_EQ (bytesOf (near_out, "normal_x"), bytesOf (far_out, "normal_x"));
   for (std::size_t i = 0; i < 300; ++i)
-    if (i != 7 && i != 100)
+    if (i != 7 && i != 100) {
       EXPECT_LT ((positionOf (far_out, i) - far - positionOf (near_out, i)).norm (), 1e-6) << i;
+    }
 }

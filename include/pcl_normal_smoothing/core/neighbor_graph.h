@@ -80,6 +80,10 @@ public:
     return (block_begin_[block + 1] - block_begin_[block]) / block_size;
   }
 
+  /** Length of the shortest row; 0 without nodes. */
+  std::size_t
+  minRowLength () const;
+
   /** Index in the cloud of every node. */
   const std::vector<std::uint32_t>&
   order () const

@@ -3,21 +3,39 @@
 
 #include <pcl_normal_smoothing/core/normal_filter.h>
 #include <pcl_normal_smoothing/core/point_update.h>
+#include <pcl_normal_smoothing/core/robust_smoothing.h>
 #include <pcl_normal_smoothing/core/surface_estimation.h>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
+/** Everything that smooth () needs to know. */
 struct SmoothingOptions
 {
+  /** In rounds (core/robust_smoothing.h), not as a chain of a normal filter and a point update. */
+  bool robust = false;
   NormalSource normals = NormalSource::WPCA;
   HoughOptions hough;
   NormalFilterOptions filter;
   PointUpdateOptions update;
+  /** Where noise.sigma or noise.spacing is below 0 it is estimated; likewise max_displacement, from sigma. */
+  RobustSmoothingOptions rounds;
 };
 
+/** \throw Error where an option is out of range */
+void
+check (const SmoothingOptions& options);
+
+/** Fills in what the data has to tell: the noise of the cloud, and what follows from it.
+  * \param[in,out] options nothing changes where all is known */
+void
+estimateOptions (const NeighborGraph& graph, const Positions& positions, const Execution& execution,
+                 SmoothingOptions& options);
+
 /** The whole method, Fig. 2 of Valdivia et al. 2013: estimate normals, filter them, move the points to fit them.
+  * Or, for options.robust, all of it in rounds.
+  * \param[in] options without anything to estimate
   * \param[in,out] positions of the nodes; their offsets change
   * \param[in,out] normals of the nodes; read only for NormalSource::INPUT; on return those that the points fit
   * \throw Error where no node has a normal */

@@ -25,6 +25,7 @@ NormalSmoothing<PointT>::applyFilter (PointCloud& output)
     const auto graph = this->obtainGraph (this->filter_name_, run.cloud (), input, execution.part (0, 0.5));
     const auto research = options.update.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();
     run.smooth (graph, normals, research, execution.part (0.5, 1));
+    used_options_ = run.options ();
     auto* data = reinterpret_cast<std::uint8_t*> (output.data ());
     run.writePositions (positionLayout<PointT> (), data);
     if constexpr (pcl::traits::has_normal<PointT>::value)

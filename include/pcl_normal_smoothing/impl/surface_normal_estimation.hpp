@@ -8,19 +8,6 @@
 namespace pcl_normal_smoothing
 {
 template <typename PointInT, typename PointOutT>
-void
-SurfaceNormalEstimation<PointInT, PointOutT>::getViewPoint (float& x, float& y, float& z) const
-{
-  Eigen::Vector3f view_point = view_point_;
-  if (use_sensor_origin_)
-    view_point = this->input_ ? Eigen::Vector3f (this->input_->sensor_origin_.template head<3> ())
-                              : Eigen::Vector3f (Eigen::Vector3f::Zero ());
-  x = view_point.x ();
-  y = view_point.y ();
-  z = view_point.z ();
-}
-
-template <typename PointInT, typename PointOutT>
 bool
 SurfaceNormalEstimation<PointInT, PointOutT>::initCompute ()
 {
