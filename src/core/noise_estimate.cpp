@@ -125,17 +125,19 @@ estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Executi
 {
   Residuals residuals = sampleResiduals (graph, nodes, execution);
   auto& [of_8, of_12, of_16] = residuals.variances;
-  // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom.
-  const double lower = extrapolated (quantile (of_8, .25) / .2877, quantile (of_12, .25) / .5758, .7, 2.5);
-  const double median = extrapolated (quantile (of_8, .5) / .6931, quantile (of_12, .5) / .891, .7, 2.5);
+  // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom. Edges spoil the upper ones, other sheets all
+  // but the lower ones.
+  const double lower_8 = quantile (of_8, .25) / .2877, lower_12 = quantile (of_12, .25) / .5758;
+  const double lower = extrapolated (lower_8, lower_12, .3, 2.5), lowest = extrapolated (lower_8, lower_12, .9, 2.5);
+  const double median = extrapolated (quantile (of_8, .5) / .6931, quantile (of_12, .5) / .891, .3, 2.5);
   const double upper = extrapolated (quantile (of_8, .75) / 1.3863, quantile (of_16, .75) / 1.2549, .4, 3);
-  const double variance = std::min ({1.1 * lower, 1.05 * median, upper});
+  const double variance = std::min ({1.1 * lower, 1.05 * median, std::max (upper, .75 * lowest)});
   const double spacing = quantile (residuals.distances, .5) * std::sqrt (pi / 8);
   if (!(spacing > 0))
     return {};
   // A quadric follows the more of the noise the larger it is against the spacing.
-  const double sigma = std::sqrt (variance);
-  return {static_cast<float> (sigma * (1 + .6 * sigma / spacing)), static_cast<float> (spacing)};
+  const double sigma = std::sqrt (variance), ratio = sigma / spacing;
+  return {static_cast<float> (sigma * (1 + .3 * ratio + 1.2 * ratio * ratio)), static_cast<float> (spacing)};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

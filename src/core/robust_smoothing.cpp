@@ -16,33 +16,35 @@ namespace
 {
 constexpr int max_rounds = 6;
 constexpr int fine_k = 16;
-constexpr int start_k = 12;
+constexpr std::size_t start_k = 12;
 constexpr int max_k = 32;
 
-/** How the noise is spread over the rounds. The gains are what a step may cost: the covariance of the point after the first
-  * round with the next step on a plane of pure noise, in variances of the noise. */
+// Noise against spacing from which on it is much: the fitted normals are filtered; only large neighbourhoods serve.
+constexpr float filtering_ratio = .29f;
+constexpr float coarse_ratio = .62f;
+
+/** How much is done in which round. A gain is what a step may cost: the covariance of the point after the first round with
+  * the step, on a plane of pure noise, in variances of the noise. */
 struct Schedule
 {
   int fine_rounds; // with the smaller neighbourhood
   float gains[max_rounds];
+  int solves[max_rounds];
   int averages;
+  float fine_bandwidth; // of the update, in distances of the farthest neighbour; 1 in other rounds
+  float sigma_s;        // of the update
 };
 
 Schedule
 chooseSchedule (const RobustSmoothingOptions& options, float noise_ratio)
 {
-  if (options.fast || options.k < 24)
-    return {max_rounds, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, options.fast ? 2 : 3};
-  if (noise_ratio >= .35f)
-    return {0, {.660f, .086f, .020f, .0079f, .0048f, .0034f}, 3};
-  return {2, {.665f, .066f, .049f, .0142f, .0084f, .0056f}, 3};
-}
-
-/** Noise against spacing, without the part that NoiseEstimate::sigma adds for what the fit follows. */
-float
-noiseRatio (const NoiseEstimate& noise)
-{
-  return noise.spacing > 0 ? (std::sqrt (1 + 2.4f * noise.sigma / noise.spacing) - 1) / 1.2f : 0;
+  if (options.fast)
+    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, {2, 1, 1, 1, 1, 1}, 2, 1, .06f};
+  if (options.k < 24)
+    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, {3, 2, 2, 2, 1, 1}, 3, 1, .05f};
+  if (noise_ratio >= coarse_ratio)
+    return {0, {.660f, .086f, .020f, .0079f, .0048f, .0034f}, {3, 2, 2, 2, 1, 1}, 3, 1, .05f};
+  return {2, {.665f, .066f, .049f, .0142f, .0084f, .0056f}, {3, 2, 2, 2, 1, 1}, 3, .7f, .05f};
 }
 } // namespace
 
@@ -75,7 +77,7 @@ public:
   , execution_ (execution)
   , positions_ (positions)
   , normals_ (normals)
-  , noise_ratio_ (noiseRatio (options.noise))
+  , noise_ratio_ (options.noise.spacing > 0 ? options.noise.sigma / options.noise.spacing : 0)
   , schedule_ (chooseSchedule (options, noise_ratio_))
   , start_ (positions.offset)
   , reference_ (positions.offset)
@@ -86,13 +88,11 @@ public:
   void
   run ()
   {
-    if (normals_.empty ())
-      startNormals ();
     for (int round = 0; round < options_.rounds; ++round) {
       const bool fine = round < schedule_.fine_rounds;
       k_ = static_cast<std::size_t> (std::min (options_.k, fine ? fine_k : max_k));
       fitNormals (round);
-      if (noise_ratio_ > .25f)
+      if (noise_ratio_ > filtering_ratio)
         filterFitted ();
       proposeSteps (fine);
       takeSteps (schedule_.gains[round]);
@@ -113,25 +113,17 @@ private:
   }
 
   void
-  startNormals ()
-  {
-    normals_.resize (graph_.size ());
-    forAllBlocks (kernels ().start_normals,
-                  NormalOfNodes {nodeArrays (positions_, normals_), normals_.data ()->data ()}, start_k);
-  }
-
-  void
   fitNormals (int round)
   {
     const bool first = round == 0;
     QuadricFitStep step {};
     step.nodes = nodeArrays (positions_, normals_);
-    step.solves = options_.fast ? (first ? 2 : 1) : (first ? 3 : 2);
+    step.solves = schedule_.solves[round];
     step.turn_frame = first;
     step.by_normal = !first || options_.oriented;
     step.oriented = options_.oriented;
     step.residual_factor = residualFactor ();
-    step.ridge = .3f * std::clamp (.2f * noise_ratio_ * noise_ratio_, .003f, .01f);
+    step.ridge = .3f * std::clamp (.15f * noise_ratio_ * noise_ratio_, .003f, .01f);
     step.fitted = other_.data ()->data ();
     forAllBlocks (kernels ().fit_normals, step, k_);
     normals_.swap (other_);
@@ -157,14 +149,13 @@ private:
   void
   proposeSteps (bool fine)
   {
-    const float bandwidth = fine && !options_.fast ? .7f : 1; // in distances of the farthest neighbour
-    const float sigma_s = options_.fast ? .06f : .05f;
+    const float bandwidth = fine ? schedule_.fine_bandwidth : 1;
     PointUpdateStep step {};
     step.nodes = nodeArrays (positions_, normals_);
     step.start = step.nodes.offset;
     step.compensated = step.robust = true;
     step.reach_scale = 1 / (bandwidth * bandwidth);
-    step.normal_factor = 1 / (2 * sigma_s * sigma_s);
+    step.normal_factor = 1 / (2 * schedule_.sigma_s * schedule_.sigma_s);
     step.residual_factor = residualFactor ();
     step.oriented = options_.oriented;
     step.max_displacement = std::numeric_limits<float>::infinity ();
@@ -176,7 +167,8 @@ private:
   takeSteps (float gain)
   {
     const auto k = static_cast<std::size_t> (std::min (options_.k, max_k));
-    weights_.resize (graph_.blockRows (graph_.blockCount ()) - graph_.blockRows (0));
+    const bool first = weights_.empty ();
+    weights_.resize (static_cast<std::size_t> (graph_.blockRows (graph_.blockCount ()) - graph_.blockRows (0)));
     risks_.resize (graph_.size ());
     StepControl control {};
     control.nodes = nodeArrays (positions_, normals_);
@@ -190,7 +182,8 @@ private:
     control.max_displacement = options_.max_displacement;
     control.risks = risks_.data ()->data ();
     forAllBlocks (kernels ().step_risks, control, k);
-    forAllBlocks (kernels ().averaging_weights, control, k);
+    if (first) // normals and positions change little afterwards
+      forAllBlocks (kernels ().averaging_weights, control, k);
     for (int average = 0; average < schedule_.averages; ++average) {
       control.risks = risks_.data ()->data ();
       control.averaged = other_.data ()->data ();
@@ -228,6 +221,17 @@ private:
   std::vector<std::uint8_t> weights_;
 };
 } // namespace
+
+Vectors
+startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution)
+{
+  Vectors normals (graph.size ());
+  const NormalOfNodes task {nodeArrays (positions, normals), normals.data ()->data ()};
+  forEachBlock (graph, execution, [&] (const BlockRows& rows) {
+    kernels ().start_normals (task, {rows.neighbors, std::min (rows.length, start_k)});
+  });
+  return normals;
+}
 
 void
 smoothRobustly (const NeighborGraph& graph,

@@ -63,7 +63,9 @@ smooth (const NeighborGraph::ConstPtr& graph,
         Positions& positions,
         Vectors& normals)
 {
-  if (options.normals != NormalSource::INPUT)
+  if (options.robust && options.normals == NormalSource::WPCA)
+    normals = startNormals (*graph, positions, execution.part (0, 0.1));
+  else if (options.normals != NormalSource::INPUT)
     normals = estimateNormals (*graph, positions, makeEstimator (options.normals, options.hough),
                                execution.part (0, 0.3));
   requireNormals (normals);

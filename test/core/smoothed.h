@@ -18,7 +18,7 @@ struct Smoothed
 inline Smoothed
 smoothed (const Positions& cloud,
           std::uint32_t k,
-          const pcl_normal_smoothing::core::SmoothingOptions& options,
+          pcl_normal_smoothing::core::SmoothingOptions options,
           const Vectors& normals = {},
           unsigned threads = 2)
 {
@@ -27,6 +27,7 @@ smoothed (const Positions& cloud,
   const auto graph = NeighborGraph::build (cloud, {k}, execution);
   Positions nodes = gather (cloud, graph->order ());
   const Vectors start = nodes.offset;
+  estimateOptions (*graph, nodes, execution, options);
   Vectors of_nodes = normals.empty () ? Vectors () : byNode (normals, *graph);
   const Research research = [&] (const Positions& moved) { return graph->rebuild (moved, {k}, execution); };
   smooth (graph, options, research, execution, nodes, of_nodes);

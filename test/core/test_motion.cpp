@@ -18,6 +18,8 @@ struct MethodCase
   NormalSource source;
   NormalWeight weight;
   UpdateRule rule;
+  bool in_rounds = false;
+  std::uint32_t k = 12;
 };
 
 void
@@ -26,7 +28,7 @@ PrintTo (const MethodCase& test, std::ostream* out)
   *out << test.name;
 }
 
-/** Every estimator, every weight and both updates: the method does not know where it is, nor how large. */
+/** Every estimator, every weight, both updates and the rounds: the method does not know where it is, nor how large. */
 class MotionTest : public testing::TestWithParam<MethodCase>
 {
 protected:
@@ -41,6 +43,8 @@ protected:
     result.update.rule = GetParam ().rule;
     result.update.sigma_s = 0.1f;
     result.update.iterations = 3;
+    result.robust = GetParam ().in_rounds;
+    result.rounds.noise = {-1, -1}; // to be estimated
     return result;
   }
 
@@ -60,8 +64,8 @@ protected:
     Vectors moved;
     for (const auto& point : cloud_)
       moved.push_back (motion (point.cast<double> ()).template cast<float> ());
-    const Smoothed here = smoothed (asPositions (cloud_), 12, options ());
-    const Smoothed there = smoothed (asPositions (moved), 12, options ());
+    const Smoothed here = smoothed (asPositions (cloud_), GetParam ().k, options ());
+    const Smoothed there = smoothed (asPositions (moved), GetParam ().k, options ());
     double sum_sq = 0, farthest = 0;
     for (std::size_t i = 0; i < cloud_.size (); ++i) {
       const Eigen::Vector3d difference = back * there.displacements[i].cast<double> () -
@@ -108,8 +112,8 @@ TEST_P (MotionTest, FarFromTheOriginItIsTheSame)
     there.push_back (here.back () + Eigen::Vector3f (5e6f, 5e6f, -5e6f));
     ASSERT_EQ (there.back () - Eigen::Vector3f (5e6f, 5e6f, -5e6f), here.back ());
   }
-  const Smoothed near = smoothed (asPositions (here), 12, options ());
-  const Smoothed far = smoothed (asPositions (there), 12, options ());
+  const Smoothed near = smoothed (asPositions (here), GetParam ().k, options ());
+  const Smoothed far = smoothed (asPositions (there), GetParam ().k, options ());
   if (!isRandom ()) {
     EXPECT_EQ (far.displacements, near.displacements);
     EXPECT_EQ (far.normals, near.normals);
@@ -129,8 +133,8 @@ TEST_P (MotionTest, DoublesFarFromTheOriginKeepTheirShape)
     there.base.push_back (place.cast<float> ());
     there.offset.push_back ((place - there.base.back ().cast<double> ()).cast<float> ());
   }
-  const Smoothed near = smoothed (asPositions (cloud_), 12, options ());
-  const Smoothed far = smoothed (there, 12, options ());
+  const Smoothed near = smoothed (asPositions (cloud_), GetParam ().k, options ());
+  const Smoothed far = smoothed (there, GetParam ().k, options ());
   double sum_sq = 0;
   for (std::size_t i = 0; i < cloud_.size (); ++i)
     sum_sq += (far.displacements[i] - near.displacements[i]).squaredNorm ();
@@ -140,14 +144,14 @@ TEST_P (MotionTest, DoublesFarFromTheOriginKeepTheirShape)
 
 TEST_P (MotionTest, DoesNotDependOnTheThreadsOrTheOrder)
 {
-  const Smoothed one = smoothed (asPositions (cloud_), 12, options (), {}, 1);
+  const Smoothed one = smoothed (asPositions (cloud_), GetParam ().k, options (), {}, 1);
   const auto order = permutation (cloud_.size (), 71);
   Vectors shuffled;
   for (const std::uint32_t i : order)
     shuffled.push_back (cloud_[i]);
   for (const unsigned threads : {2u, 4u}) {
-    EXPECT_EQ (smoothed (asPositions (cloud_), 12, options (), {}, threads).displacements, one.displacements);
-    const Smoothed other = smoothed (asPositions (shuffled), 12, options (), {}, threads);
+    EXPECT_EQ (smoothed (asPositions (cloud_), GetParam ().k, options (), {}, threads).displacements, one.displacements);
+    const Smoothed other = smoothed (asPositions (shuffled), GetParam ().k, options (), {}, threads);
     for (std::size_t i = 0; i < order.size (); ++i)
       ASSERT_EQ (other.displacements[i], one.displacements[order[i]]) << "point " << order[i];
   }
@@ -161,6 +165,8 @@ INSTANTIATE_TEST_SUITE_P (
         MethodCase {"pca_gaussian_compensated", NormalSource::PCA, NormalWeight::GAUSSIAN, UpdateRule::COMPENSATED},
         MethodCase {"wpca_gaussian_paper", NormalSource::WPCA, NormalWeight::GAUSSIAN, UpdateRule::PAPER},
         MethodCase {"wpca_mixed_compensated", NormalSource::WPCA, NormalWeight::MIXED, UpdateRule::COMPENSATED},
-        MethodCase {"hough_gaussian_compensated", NormalSource::HOUGH, NormalWeight::GAUSSIAN, UpdateRule::COMPENSATED}),
+        MethodCase {"hough_gaussian_compensated", NormalSource::HOUGH, NormalWeight::GAUSSIAN, UpdateRule::COMPENSATED},
+        MethodCase {"rounds_12", NormalSource::WPCA, NormalWeight::GAUSSIAN, UpdateRule::COMPENSATED, true},
+        MethodCase {"rounds_32", NormalSource::WPCA, NormalWeight::GAUSSIAN, UpdateRule::COMPENSATED, true, 32}),
     [] (const auto& test) { return test.param.name; });
 } // namespace

@@ -31,8 +31,12 @@ struct RobustSmoothingOptions
 void
 check (const RobustSmoothingOptions& options);
 
+/** Normals for the rounds to start from: WPCA (eq. 1) over the 12 nearest, in float; NaN where there are fewer than 3. */
+Vectors
+startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution);
+
 /** \param[in,out] positions of the nodes; their offsets change
-  * \param[in,out] normals of the nodes; empty, or those to start from (length 1 or NaN); on return those of the last round */
+  * \param[in,out] normals of the nodes to start from, length 1 or NaN; on return those of the last round */
 void
 smoothRobustly (const NeighborGraph& graph,
                 const RobustSmoothingOptions& options,
