@@ -4,6 +4,8 @@
 
 #include <pcl/impl/instantiate.hpp>
 
+#include <algorithm>
+
 #include "point_types.h"
 
 namespace pcl_normal_smoothing
@@ -19,6 +21,18 @@ requireLayout (const pcl::PCLPointCloud2& cloud, const std::array<std::string, 3
   if (!layout)
     throw core::Error (otherwise);
   return *layout;
+}
+
+/** \throw core::Error where the data ends before the last point */
+void
+requireData (const pcl::PCLPointCloud2& cloud)
+{
+  const std::size_t points_of_row = std::size_t (cloud.width) * cloud.point_step;
+  const std::size_t row = std::max<std::size_t> (cloud.row_step, points_of_row);
+  if (cloud.height > 0 && cloud.data.size () < (cloud.height - 1) * row + points_of_row)
+    throw core::Error ("the cloud has " + std::to_string (cloud.data.size ()) + " bytes of data, too few for " +
+                       std::to_string (cloud.width) + " x " + std::to_string (cloud.height) + " points of " +
+                       std::to_string (cloud.point_step) + " bytes: it is truncated, load it anew");
 }
 
 VectorLayout
@@ -60,6 +74,7 @@ NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
   const std::size_t size = std::size_t (input_->width) * input_->height;
   const VectorLayout layout = requireLayout (
       *input_, {"x", "y", "z"}, "the cloud has no fields x, y, z that are all float or all double: it cannot be smoothed");
+  requireData (*input_);
   std::optional<VectorView> normals;
   if (options.normals == NormalSource::INPUT)
     normals = VectorView {requireNormals (*input_, ": estimate normals first, or choose another normal source"),

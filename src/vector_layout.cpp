@@ -26,8 +26,11 @@ VectorLayout::find (const pcl::PCLPointCloud2& cloud, const std::array<std::stri
   const bool all_float = types[0] == pcl::PCLPointField::FLOAT32, all_double = types[0] == pcl::PCLPointField::FLOAT64;
   if (types[1] != types[0] || types[2] != types[0] || !(all_float || all_double))
     return std::nullopt;
+  const std::size_t scalar_size = all_float ? sizeof (float) : sizeof (double);
+  if (*std::max_element (offsets.begin (), offsets.end ()) + scalar_size > cloud.point_step)
+    return std::nullopt; // it would lie in the next point
   VectorLayout layout (cloud.point_step, offsets, all_float ? Scalar::FLOAT32 : Scalar::FLOAT64);
-  if (cloud.row_step > cloud.width * cloud.point_step) {
+  if (cloud.row_step > std::size_t (cloud.width) * cloud.point_step) {
     layout.width_ = cloud.width;
     layout.row_step_ = cloud.row_step;
   }

@@ -11,7 +11,11 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <cstring>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
 
 namespace pcl_normal_smoothing
 {
@@ -24,34 +28,46 @@ using Polygon = std::vector<std::size_t>;
 
 constexpr const char* advice = "give a complete PLY, OFF, OBJ or STL mesh";
 
-/** CGAL takes the memory for as many vertices and faces as a header claims: no more than the file has room for. */
-void
-checkCounts (const std::string& path, const std::string& bytes)
+/** Bounds the memory of the process while it lives: CGAL takes as much as the numbers in a damaged file ask for, and is to
+  * get std::bad_alloc before the machine has none left. */
+class MemoryBound
 {
-  const std::string extension = extensionOf (path);
-  std::string_view text = bytes;
-  if (extension == ".ply")
-    readPlyHeader (text);
-  else if (extension == ".off") {
-    std::size_t numbers = 0;
-    while (numbers < 2 && !text.empty ()) {
-      std::string_view line = nextLine (text);
-      for (std::string_view word = nextWord (line); !word.empty () && word[0] != '#'; word = nextWord (line)) {
-        std::uint64_t count = 0;
-        if (!parseCount (word, count))
-          continue; // OFF, COFF, BINARY
-        if (++numbers <= 2 && count > bytes.size () / 6) // "0 0 0" and the line end; faces are longer
-          throw FormatError ("is truncated, it holds less than the " + std::to_string (count) +
-                             " vertices or faces that its header claims");
-      }
-    }
+public:
+  explicit MemoryBound (std::size_t more)
+  {
+    getrlimit (RLIMIT_AS, &before_);
+    std::size_t pages = 0;
+    if (!(std::ifstream ("/proc/self/statm") >> pages))
+      return;
+    rlimit bound = before_;
+    bound.rlim_cur = std::min<rlim_t> (bound.rlim_cur, pages * static_cast<std::size_t> (sysconf (_SC_PAGESIZE)) + more);
+    setrlimit (RLIMIT_AS, &bound);
   }
-  else if (extension == ".stl" && bytes.size () >= 84 && bytes.compare (0, 5, "solid") != 0) {
-    std::uint32_t count;
-    std::memcpy (&count, bytes.data () + 80, sizeof count);
-    if (count > (bytes.size () - 84) / 50)
-      throw FormatError ("is truncated, it holds less than the " + std::to_string (count) +
-                         " triangles that its header claims");
+
+  ~MemoryBound ()
+  {
+    setrlimit (RLIMIT_AS, &before_);
+  }
+
+  MemoryBound (const MemoryBound&) = delete;
+  MemoryBound&
+  operator= (const MemoryBound&) = delete;
+
+private:
+  rlimit before_;
+};
+
+/** \return false where the file is no mesh */
+bool
+readSoup (const std::string& path, std::size_t file_size, std::vector<Point>& points, std::vector<Polygon>& polygons)
+{
+  // A face of a text file takes the most: some 8 bytes become a vector, which moves when the list grows.
+  const MemoryBound bound ((std::size_t (256) << 20) + 64 * file_size);
+  try {
+    return CGAL::IO::read_polygon_soup (path, points, polygons, CGAL::parameters::verbose (false));
+  }
+  catch (const std::exception&) { // std::bad_alloc, std::length_error, and what CGAL throws
+    return false;
   }
 }
 
@@ -87,11 +103,14 @@ loadMesh (const std::string& path)
   if (extension != ".ply" && extension != ".off" && extension != ".obj" && extension != ".stl")
     throw FileError (path, "is no mesh by its extension", advice);
   try {
-    checkCounts (path, readFile (path));
+    const std::string bytes = readFile (path);
+    std::string_view text = bytes;
+    if (extension == ".ply") // CGAL goes through as many elements as the header claims, there or not
+      readPlyHeader (text);
     std::vector<Point> points;
     std::vector<Polygon> polygons;
-    if (!CGAL::IO::read_polygon_soup (path, points, polygons, CGAL::parameters::verbose (false)))
-      throw FormatError ("is no mesh, or is damaged");
+    if (!readSoup (path, bytes.size (), points, polygons))
+      throw FormatError ("is no mesh, or is truncated or damaged");
     return fromSoup (points, polygons);
   }
   catch (const FormatError& error) {

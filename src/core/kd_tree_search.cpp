@@ -14,7 +14,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity ();
 constexpr auto no_slot = std::numeric_limits<std::uint32_t>::max ();
 constexpr std::size_t whole_lanes = 16;
 // Up to here counting smaller keys for every key beats a sort.
-constexpr std::size_t max_ranked = 96;
+constexpr std::size_t max_ranked = 160;
 
 float
 square (float x)
@@ -116,7 +116,7 @@ KdTree::ballRadius (const Coordinates& center, std::size_t branch, std::size_t k
   const Range range = ranges_[branch];
   if (range.end - range.begin < k)
     return infinity;
-  std::vector<float>& sq_dists = scratch.keys;
+  std::vector<float>& sq_dists = scratch.sq_dists;
   sq_dists.clear ();
   for (std::uint32_t slot = range.begin; slot < range.end; ++slot) {
     const Coordinates at = pointBox (slotQuery (slot)).low;
@@ -162,8 +162,8 @@ KdTree::gatherCandidates (const Box& box, float reach, Scratch& scratch) const
     scratch.base[d].resize (padded);
     scratch.offset[d].resize (has_offset_ ? padded : 0);
   }
-  scratch.sq_dists.resize (padded);
-  scratch.selected.resize (padded);
+  scratch.sq_dists.resize (padded + whole_lanes);
+  scratch.selected.resize (padded + whole_lanes);
 }
 
 void
@@ -178,21 +178,17 @@ KdTree::selectNearest (const CandidateQuery& query,
     candidates.base[d] = scratch.base[d].data ();
     candidates.offset[d] = has_offset_ ? scratch.offset[d].data () : nullptr;
   }
-  const std::size_t selected =
+  const std::size_t found =
       kernels ().select_near (candidates, query, scratch.sq_dists.data (), scratch.selected.data ());
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < selected; ++i) {
-    scratch.selected[found] = scratch.selected[i];
-    found += scratch.slots[scratch.selected[i]] != excluded;
-  }
+  if (found <= max_ranked && rankRow (found, excluded, count, scratch))
+    return;
 
   std::vector<Neighbor>& row = scratch.row;
   row.clear ();
-  if (found <= max_ranked && rankRow (found, count, scratch))
-    return;
   for (std::size_t i = 0; i < found; ++i) {
-    const std::uint32_t candidate = scratch.selected[i], slot = scratch.slots[candidate];
-    row.push_back ({scratch.sq_dists[candidate], rank_[slot], slot});
+    const std::uint32_t slot = scratch.slots[scratch.selected[i]];
+    if (slot != excluded)
+      row.push_back ({scratch.sq_dists[i], rank_[slot], slot});
   }
   const auto end = row.begin () + static_cast<std::ptrdiff_t> (std::min (count, row.size ()));
   std::partial_sort (row.begin (), end, row.end ());
@@ -200,26 +196,22 @@ KdTree::selectNearest (const CandidateQuery& query,
 }
 
 bool
-KdTree::rankRow (std::size_t found, std::size_t count, Scratch& scratch) const
+KdTree::rankRow (std::size_t found, std::uint32_t excluded, std::size_t count, Scratch& scratch) const
 {
-  scratch.keys.resize (max_ranked + whole_lanes);
   scratch.ranks.resize (max_ranked + whole_lanes);
-  for (std::size_t i = 0; i < found; ++i)
-    scratch.keys[i] = scratch.sq_dists[scratch.selected[i]];
-  kernels ().rank_keys (scratch.keys.data (), found, scratch.ranks.data ());
+  if (!kernels ().rank_keys (scratch.sq_dists.data (), found, scratch.ranks.data ()))
+    return false;
+  // All distances differ, so the excluded point, at distance 0, comes first.
+  const std::size_t skipped = excluded == no_slot ? 0 : 1;
+  const std::size_t size = std::min (count, found - skipped);
   std::vector<Neighbor>& row = scratch.row;
-  row.assign (std::min (count, found), Neighbor {0, 0, no_slot});
+  row.resize (size + 1 + skipped); // with a place for what is not wanted: a branch on ranks would be as good as random
   for (std::size_t i = 0; i < found; ++i) {
-    const auto rank = static_cast<std::size_t> (scratch.ranks[i]);
-    if (rank >= row.size ())
-      continue;
-    if (row[rank].slot != no_slot) { // equal distances: the sort decides
-      row.clear ();
-      return false;
-    }
     const std::uint32_t slot = scratch.slots[scratch.selected[i]];
-    row[rank] = {scratch.keys[i], rank_[slot], slot};
+    const std::size_t place = std::min (static_cast<std::size_t> (scratch.ranks[i]) - skipped, size);
+    row[place] = {scratch.sq_dists[i], rank_[slot], slot};
   }
+  row.resize (size);
   return true;
 }
 

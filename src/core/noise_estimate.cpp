@@ -14,7 +14,7 @@ namespace core
 namespace
 {
 constexpr std::size_t sample_size = 4096;
-constexpr std::size_t row_length = 16;
+constexpr std::uint32_t row_length = 16;
 constexpr double pi = 3.14159265358979;
 
 std::uint32_t
@@ -123,6 +123,9 @@ extrapolated (double small, double large, double slope, double largest_excess)
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
+  // A graph by radius, or of small neighbourhoods, does not show enough.
+  if (graph.minRowLength () < std::min<std::size_t> (row_length, graph.size ()))
+    return estimateNoise (*graph.rebuild (nodes, NeighborQuery {row_length}, execution), nodes, execution);
   Residuals residuals = sampleResiduals (graph, nodes, execution);
   auto& [of_8, of_12, of_16] = residuals.variances;
   // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom. Edges spoil the upper ones, other sheets all

@@ -75,6 +75,7 @@ public:
   : graph_ (graph)
   , options_ (options)
   , execution_ (execution)
+  , progress_ (execution)
   , positions_ (positions)
   , normals_ (normals)
   , noise_ratio_ (options.noise.spacing > 0 ? options.noise.sigma / options.noise.spacing : 0)
@@ -89,6 +90,7 @@ public:
   run ()
   {
     for (int round = 0; round < options_.rounds; ++round) {
+      progress_ = execution_.part (round, round, options_.rounds);
       const bool fine = round < schedule_.fine_rounds;
       k_ = static_cast<std::size_t> (std::min (options_.k, fine ? fine_k : max_k));
       fitNormals (round);
@@ -107,7 +109,7 @@ private:
   void
   forAllBlocks (const Kernel& kernel, const Arguments& arguments, std::size_t k)
   {
-    forEachBlock (graph_, execution_.part (0, 0), [&] (const BlockRows& rows) {
+    forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
       kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k)});
     });
   }
@@ -207,6 +209,7 @@ private:
   const NeighborGraph& graph_;
   const RobustSmoothingOptions& options_;
   const Execution& execution_;
+  Execution progress_; // reports where the round began, and so never falls
   Positions& positions_;
   Vectors& normals_;
   float noise_ratio_;

@@ -13,7 +13,6 @@ namespace
 {
 // Beyond this many standard deviations of the noise no point has any business.
 constexpr float displacement_sigmas = 5;
-constexpr std::uint32_t noise_k = 16;
 
 void
 requireNormals (const Vectors& normals)
@@ -44,10 +43,7 @@ estimateOptions (const NeighborGraph& graph,
 {
   NoiseEstimate& noise = options.rounds.noise;
   if (options.robust && (noise.sigma < 0 || noise.spacing < 0)) {
-    // A graph by radius, or of small neighbourhoods, does not show what the estimate needs.
-    const bool fits = graph.minRowLength () >= std::min<std::size_t> (noise_k, graph.size ());
-    const NoiseEstimate estimate =
-        estimateNoise (fits ? graph : *graph.rebuild (positions, NeighborQuery {noise_k}, execution), positions, execution);
+    const NoiseEstimate estimate = estimateNoise (graph, positions, execution);
     noise.sigma = noise.sigma < 0 ? estimate.sigma : noise.sigma;
     noise.spacing = noise.spacing < 0 ? estimate.spacing : noise.spacing;
   }

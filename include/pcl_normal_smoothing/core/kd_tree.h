@@ -27,9 +27,8 @@ public:
     std::vector<std::uint32_t> slots;          // of the candidates
     std::array<std::vector<float>, 3> base;    // likewise
     std::array<std::vector<float>, 3> offset;  // likewise
-    std::vector<float> sq_dists;               // likewise
     std::vector<std::uint32_t> selected;       // candidates within the bound
-    std::vector<float> keys;                   // their squared distances
+    std::vector<float> sq_dists;               // their squared distances
     std::vector<std::int32_t> ranks;           // how many are smaller
     std::vector<Neighbor> row;
   };
@@ -105,7 +104,7 @@ private:
 
   /** The same for \a found selected candidates by counting; false where distances are equal. */
   bool
-  rankRow (std::size_t found, std::size_t count, Scratch& scratch) const;
+  rankRow (std::size_t found, std::uint32_t excluded, std::size_t count, Scratch& scratch) const;
 
   float
   sqDistance (const Box& a, const Box& b) const;

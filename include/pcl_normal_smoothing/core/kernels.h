@@ -125,13 +125,14 @@ struct Kernels
   void (*averaging_weights) (const StepControl& control, const BlockRows& rows);
   void (*average_risks) (const StepControl& control, const BlockRows& rows);
   void (*take_steps) (const StepControl& control, const BlockRows& rows);
-  /** Numbers of the candidates within the bound. Both outputs hold candidates.count elements, up to a multiple of 16. */
+  /** The candidates within the bound: their numbers and squared distances. Both outputs have room for candidates.count
+    * and 16 more. */
   std::size_t (*select_near) (const Candidates& candidates,
                               const CandidateQuery& query,
                               float* sq_dists,
                               std::uint32_t* selected);
-  /** How many keys are smaller than each. Both arrays have room up to a multiple of 16. */
-  void (*rank_keys) (const float* keys, std::size_t count, std::int32_t* ranks);
+  /** How many keys are smaller than each; whether all differ. Both arrays have room for 16 more. */
+  bool (*rank_keys) (const float* keys, std::size_t count, std::int32_t* ranks);
 };
 
 /** The kernels for this processor. */

@@ -19,7 +19,7 @@ struct NoiseEstimate
 /** Estimates the noise from what quadrics through small neighbourhoods leave, and extrapolates from two sizes of
   * neighbourhood what curvature adds to it. Uses a sample of about 4,096 points that is chosen by a hash of the coordinates,
   * and quantiles, which do not depend on an order: the same cloud gives the same bits in any order.
-  * \param[in] graph rows of at least 16 points where the cloud has as many
+  * \param[in] graph where a row has fewer than 16 points, the neighbours are searched again
   * \return sigma 0 where neighbourhoods have fewer than 8 points or no extent */
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);

@@ -79,8 +79,10 @@ SurfaceNormalEstimation<PointInT, PointOutT>::estimateOverGraph (const core::Sur
   const core::Positions cloud = readPositions (positionsOf (*this->input_));
   const core::Execution run = execution ();
   NeighborGraph::ConstPtr graph;
-  if (neighbor_graph_)
+  if (neighbor_graph_) {
     graph = fittingGraph (cloud);
+    checkPointCount (this->feature_name_, graph->size (), 0);
+  }
   else {
     const core::NeighborQuery query = makeNeighborQuery (this->k_, this->search_radius_, max_neighbor_distance_);
     graph = this->tree_ ? NeighborGraph::build (cloud, graphSearch<PointInT> (this->tree_, this->input_, query),
@@ -104,6 +106,7 @@ SurfaceNormalEstimation<PointInT, PointOutT>::estimateByQueries (const core::Sur
 {
   const core::NeighborQuery query = makeNeighborQuery (this->k_, this->search_radius_, max_neighbor_distance_);
   const core::Positions surface = readPositions (positionsOf (*this->surface_));
+  checkPointCount (this->feature_name_, core::finiteElements (surface).size (), query.k);
   const core::Positions cloud = readPositions (positionsOf (*this->input_));
   const std::vector<std::uint32_t> queries (this->indices_->begin (), this->indices_->end ());
   if (!this->tree_)

@@ -55,14 +55,13 @@ selectNearCandidates (const Candidates& candidates,
                       float* sq_dists,
                       std::uint32_t* selected)
 {
-  squaredDistances (candidates, query, sq_dists);
-  return selectNear (sq_dists, candidates.count, query.sq_bound, selected);
+  return selectNear (candidates, query, sq_dists, selected);
 }
 
-void
+bool
 rankAllKeys (const float* keys, std::size_t count, std::int32_t* ranks)
 {
-  rankKeys (keys, count, ranks);
+  return rankKeys (keys, count, ranks);
 }
 } // namespace
 

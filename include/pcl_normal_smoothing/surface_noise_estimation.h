@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/search_settings.h>
+
+#include <pcl/pcl_base.h>
+
+namespace pcl_normal_smoothing
+{
+/** Tells how noisy a scan is: the standard deviation of its noise along the surface's normal, from what quadrics through
+  * small neighbourhoods leave. NormalSmoothing uses the same estimate where setNoiseSigma gives none.
+  *
+  * Looks at a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter. With
+  * setIndices the indexed points alone are the cloud. The 16 nearest points are searched, unless a graph or a larger k
+  * is set. */
+template <typename PointT>
+class SurfaceNoiseEstimation : public pcl::PCLBase<PointT>, public SearchSettings<PointT>
+{
+public:
+  using Ptr = pcl::shared_ptr<SurfaceNoiseEstimation<PointT>>;
+  using ConstPtr = pcl::shared_ptr<const SurfaceNoiseEstimation<PointT>>;
+
+  /** Looks at the input cloud. \return false on an error, see getErrorMessage; sigma and spacing are 0 then */
+  bool
+  compute ();
+
+  /** Standard deviation of the noise, in the cloud's unit; 0 before compute. */
+  double
+  getSigma () const
+  {
+    return estimate_.sigma;
+  }
+
+  /** Distance between neighbouring points (the median), in the cloud's unit; 0 before compute. */
+  double
+  getSpacing () const
+  {
+    return estimate_.spacing;
+  }
+
+protected:
+  int
+  defaultK () const override
+  {
+    return 16;
+  }
+
+private:
+  core::NoiseEstimate estimate_;
+};
+} // namespace pcl_normal_smoothing
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl_normal_smoothing/impl/surface_noise_estimation.hpp>
+#endif
