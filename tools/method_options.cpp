@@ -2,11 +2,14 @@
 #include "method_options.h"
 
 #include "field_values.h"
+#include "tool.h"
 #include "tool_error.h"
 
+#include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/run_settings.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace pcl_normal_smoothing
@@ -48,10 +51,43 @@ textOf (int number)
   return std::to_string (number);
 }
 
+/** -max_displacement of the rounds, or of the chain. */
 std::string
-lengthOrNone (float length)
+limitOf (const core::SmoothingOptions& method)
 {
-  return std::isfinite (length) ? textOf (length) : "no limit";
+  if (method.robust)
+    return "5 noise_sigma";
+  return std::isfinite (method.update.max_displacement) ? textOf (method.update.max_displacement) : "no limit";
+}
+
+std::string
+optionIfFinite (const std::string& name, float number)
+{
+  return std::isfinite (number) ? name + textOf (number) : std::string ();
+}
+
+std::string
+asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const SearchOptions& search, int preset_k)
+{
+  std::string line = "-preset " + wordFor (presets, preset) + " -normals " + wordFor (sources, method.normals);
+  if (search.radius > 0)
+    line += " -radius " + textOf (static_cast<float> (search.radius));
+  else
+    line += " -k " + std::to_string (search.k > 0 ? search.k : preset_k);
+  if (search.max_radius > 0)
+    line += " -max_radius " + textOf (static_cast<float> (search.max_radius));
+  if (method.robust)
+    line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " + textOf (method.rounds.noise.sigma) +
+            " -point_spacing " + textOf (method.rounds.noise.spacing) +
+            optionIfFinite (" -max_displacement ", method.rounds.max_displacement);
+  else
+    line += " -weights " + wordFor (weights, method.filter.weight) + " -mixed " +
+            wordFor (mixed_thresholds, method.filter.mixed_threshold) + " -threshold " +
+            textOf (method.filter.threshold) + " -sigma_s " + textOf (method.filter.sigma_s) + " -normal_iterations " +
+            textOf (method.filter.iterations) + " -update " + wordFor (rules, method.update.rule) + " -update_sigma_s " +
+            textOf (method.update.sigma_s) + " -point_iterations " + textOf (method.update.iterations) +
+            optionIfFinite (" -max_displacement ", method.update.max_displacement);
+  return line + " -oriented " + (method.filter.oriented ? "1" : "0") + " -seed " + std::to_string (method.hough.seed);
 }
 
 /** A text for the default preset, and those of the others where they differ. */
@@ -69,6 +105,10 @@ ofPresets (const std::function<std::string (const MethodSettings&)>& text)
   return all;
 }
 } // namespace
+
+const char* const presets_and_chain =
+    "The presets default and fast smooth in rounds, by the noise that they find. With an option of the paper's chain\n"
+    "(-weights -mixed -threshold -sigma_s -normal_iterations -update -update_sigma_s) that chain runs in their place.";
 
 std::string
 presetStandard (const std::function<std::string (const core::SmoothingOptions&)>& text)
@@ -127,12 +167,33 @@ addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings&
   options.add ("-update_sigma_s", "S", "standard deviation of 1 - cosine of two normals in the point update",
                standard ([] (const auto& method) { return textOf (method.update.sigma_s); }),
                positiveOption ([&] (double sigma) { settings.setUpdateSigmaS (sigma); }));
-  options.add ("-point_iterations", "N", "iterations of the point update",
-               standard ([] (const auto& method) { return textOf (method.update.iterations); }),
+  options.add ("-point_iterations", "N", "iterations of the point update; rounds, at most 6, of the presets default and fast",
+               standard ([] (const auto& m) { return textOf (m.robust ? m.rounds.rounds : m.update.iterations); }),
                integerOption (0, max_iterations, [&] (auto n) { settings.setPointIterations (static_cast<int> (n)); }));
   options.add ("-max_displacement", "D", "farthest that a point may end from where it began, in the cloud's unit",
-               standard ([] (const auto& method) { return lengthOrNone (method.update.max_displacement); }),
+               standard (limitOf),
                positiveOption ([&] (double distance) { settings.setMaxDisplacement (distance); }));
+}
+
+void
+addNoiseOptions (Options& options, SmoothingSettings& settings)
+{
+  const double limit = std::numeric_limits<float>::infinity ();
+  options.add ("-noise_sigma", "S", "standard deviation of the noise along the normal, in the cloud's unit, for rounds",
+               "estimated from the cloud", numberOption (0, limit, [&] (double sigma) { settings.setNoiseSigma (sigma); }));
+  options.add ("-point_spacing", "D", "distance between neighbouring points, in the cloud's unit, for rounds",
+               "estimated from the cloud", numberOption (0, limit, [&] (double d) { settings.setPointSpacing (d); }));
+}
+
+void
+checkOptions (const core::SmoothingOptions& method)
+{
+  try {
+    core::check (method);
+  }
+  catch (const core::Error& error) {
+    throw UsageError (error.what ());
+  }
 }
 
 void
@@ -178,24 +239,16 @@ FormatOption::addTo (Options& options)
                choiceOption<FileFormat> (formats, [this] (auto chosen) { format = chosen; }));
 }
 
-std::string
-asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const SearchOptions& search, int preset_k)
+void
+printParameters (const std::string& input,
+                 SmoothingPreset preset,
+                 const core::SmoothingOptions& used,
+                 const SearchOptions& search,
+                 int preset_k)
 {
-  std::string line = "-preset " + wordFor (presets, preset) + " -normals " + wordFor (sources, method.normals);
-  if (search.radius > 0)
-    line += " -radius " + textOf (static_cast<float> (search.radius));
-  else
-    line += " -k " + std::to_string (search.k > 0 ? search.k : preset_k);
-  if (search.max_radius > 0)
-    line += " -max_radius " + textOf (static_cast<float> (search.max_radius));
-  line += " -weights " + wordFor (weights, method.filter.weight) + " -mixed " +
-          wordFor (mixed_thresholds, method.filter.mixed_threshold) + " -threshold " + textOf (method.filter.threshold) +
-          " -sigma_s " + textOf (method.filter.sigma_s) + " -normal_iterations " + textOf (method.filter.iterations) +
-          " -update " + wordFor (rules, method.update.rule) + " -update_sigma_s " + textOf (method.update.sigma_s) +
-          " -point_iterations " + textOf (method.update.iterations);
-  if (std::isfinite (method.update.max_displacement))
-    line += " -max_displacement " + textOf (method.update.max_displacement);
-  return line + " -oriented " + (method.filter.oriented ? "1" : "0") + " -seed " + std::to_string (method.hough.seed);
+  std::printf ("parameters: %s\n", asOptions (preset, used, search, preset_k).c_str ());
+  if (used.robust && used.rounds.rounds > 0 && used.rounds.noise.sigma == 0)
+    note (input + ": no noise was found, nothing moves: give -noise_sigma if there is some");
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

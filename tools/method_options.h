@@ -41,6 +41,17 @@ addFilterOptions (Options& options, const Standard& standard, SmoothingSettings&
 void
 addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings& settings);
 
+/** -noise_sigma -point_spacing */
+void
+addNoiseOptions (Options& options, SmoothingSettings& settings);
+
+/** \throw UsageError where an option does not fit the others */
+void
+checkOptions (const core::SmoothingOptions& method);
+
+/** Which options make the paper's chain run, for the help. */
+extern const char* const presets_and_chain;
+
 /** -preset -normals */
 void
 addPresetOptions (Options& options, SmoothingSettings& settings);
@@ -80,8 +91,13 @@ struct FormatOption
   addTo (Options& options);
 };
 
-/** All parameters of a smoothing as options that give the same smoothing again. */
-std::string
-asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const SearchOptions& search, int preset_k);
+/** Prints the parameters that a smoothing used, in one line, as options that give the same smoothing again; and a note
+  * where it had nothing to do. */
+void
+printParameters (const std::string& input,
+                 SmoothingPreset preset,
+                 const core::SmoothingOptions& used,
+                 const SearchOptions& search,
+                 int preset_k);
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -6,8 +6,6 @@
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/normal_smoothing.h>
 
-#include <cstdio>
-
 using namespace pcl_normal_smoothing;
 
 namespace
@@ -23,12 +21,14 @@ class NormalSmoothingTool : public tools::Tool
   void
   describe (tools::Options& options) override
   {
-    options.describe ("Smooths the points of a noisy surface without rounding its edges; keeps every other field.",
+    options.describe (std::string ("Smooths the points of a noisy surface without rounding its edges; keeps every other "
+                                   "field.\n") + tools::presets_and_chain,
                       {"input.pcd|ply", "output.pcd|ply"});
     tools::addPresetOptions (options, smoothing_);
     search_.addTo (options, tools::presetStandardK ());
     tools::addFilterOptions (options, tools::presetStandard, smoothing_);
     tools::addUpdateOptions (options, tools::presetStandard, smoothing_);
+    tools::addNoiseOptions (options, smoothing_);
     tools::addOrientedOption (options, smoothing_);
     options.add ("-save_normals", "0|1", "1: write the normals that the points fit to normal_x normal_y normal_z", "0",
                  tools::switchOption ([this] (bool save) { smoothing_.setSaveNormals (save); }));
@@ -40,6 +40,7 @@ class NormalSmoothingTool : public tools::Tool
   work (const tools::Options& options) override
   {
     const core::NeighborQuery query = search_.query (smoothing_.presetK ());
+    tools::checkOptions (smoothing_.options ());
     tools::checkOutput (options.file (1), format_.format);
     tools::CloudFile file = tools::loadInput (options.file (0));
     tools::checkPointCount (core::finiteElements (readPositions (tools::positionsOf (file))).size (), query.k);
@@ -58,8 +59,8 @@ class NormalSmoothingTool : public tools::Tool
     if (!smoothing_.getErrorMessage ().empty ())
       throw core::Error (smoothing_.getErrorMessage ());
     tools::saveResult (file, options.file (1), format_.format);
-    std::printf ("parameters: %s\n", tools::asOptions (smoothing_.getPreset (), smoothing_.options (), search_,
-                                                       smoothing_.presetK ()).c_str ());
+    tools::printParameters (options.file (0), smoothing_.getPreset (), smoothing_.usedOptions (), search_,
+                            smoothing_.presetK ());
   }
 
   Smoothing smoothing_;

@@ -56,7 +56,7 @@ protected:
   {
     std::vector<float> factors (nodes_.size (), -77);
     forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
-      kernels.distance_factors (nodeArrays (nodes_, normals_), rows, factors.data ());
+      kernels.distance_factors ({nodeArrays (nodes_, normals_), factors.data ()}, rows);
     });
     return factors;
   }
@@ -119,6 +119,42 @@ TEST_P (KernelsTest, PositionsAreTheSameForEveryInstructionSet)
         forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels.update_points (step, rows); });
         return moved;
       });
+}
+
+TEST_P (KernelsTest, EstimatedNormalsAreTheSameForEveryInstructionSet)
+{
+  expectAllTheSame ([this] (const Kernels& kernels) {
+    std::vector<float> normals = vectors ();
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
+      kernels.start_normals ({nodeArrays (nodes_, normals_), normals.data ()}, rows);
+    });
+    return normals;
+  });
+  for (const bool oriented : {false, true})
+    expectAllTheSame ([&] (const Kernels& kernels) {
+      std::vector<float> normals = vectors ();
+      QuadricFitStep step {};
+      step.nodes = nodeArrays (nodes_, normals_);
+      step.solves = 3;
+      step.turn_frame = !oriented;
+      step.by_normal = step.oriented = oriented;
+      step.residual_factor = 100;
+      step.ridge = 0.003f;
+      step.fitted = normals.data ();
+      forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels.fit_normals (step, rows); });
+      return normals;
+    });
+}
+
+TEST_P (KernelsTest, ResidualsAreTheSameForEveryInstructionSet)
+{
+  expectAllTheSame ([this] (const Kernels& kernels) {
+    std::vector<float> variances (nodes_.size (), -77);
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
+      kernels.residual_variances ({nodeArrays (nodes_, normals_), variances.data ()}, rows);
+    });
+    return variances;
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P (Graphs,

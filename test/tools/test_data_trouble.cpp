@@ -65,9 +65,9 @@ TEST_F (DataTrouble, NothingToWorkOn)
 TEST_F (DataTrouble, NoSurface)
 {
   std::string points;
-  for (int i = 0; i < 30; ++i)
+  for (int i = 0; i < 60; ++i)
     points += std::to_string (i) + " 0 0\n";
-  writeText (path ("in.pcd"), header ("x y z", 30) + points);
+  writeText (path ("in.pcd"), header ("x y z", 60) + points);
   expectRefused ("pcl_normal_smoothing in.pcd out.pcd", "line");
 }
 

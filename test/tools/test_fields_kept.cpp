@@ -51,7 +51,7 @@ TEST_F (FieldsKept, InEveryKindOfPcd)
 {
   const tools::CloudFile wave = savedWave ("wave.pcd");
   for (const std::string format : {"ascii", "binary", "compressed"}) {
-    succeed ("pcl_normal_smoothing wave.pcd " + format + ".pcd -format " + format);
+    succeed ("pcl_normal_smoothing wave.pcd " + format + ".pcd -preset paper -format " + format);
     expectSmoothed (wave, readPcdFile (path (format + ".pcd")));
   }
   // And read again: the same points, whatever they were written as.
@@ -67,7 +67,7 @@ TEST_F (FieldsKept, FromAsciiAndCompressedPcdOfPcl)
   savePcd (makeWave (), path ("text.pcd"), false);
   pcl::PCDWriter ().writeBinaryCompressed (path ("small.pcd"), *wave.cloud, wave.origin, wave.orientation);
   for (const std::string name : {"text", "small"}) {
-    succeed ("pcl_normal_smoothing " + name + ".pcd out.pcd");
+    succeed ("pcl_normal_smoothing " + name + ".pcd out.pcd -preset paper");
     expectSmoothed (wave, readPcdFile (path ("out.pcd")));
   }
 }
@@ -77,7 +77,7 @@ TEST_F (FieldsKept, ThroughPly)
   const tools::CloudFile wave = savedWave ("wave.pcd");
   for (const std::string format : {"ascii", "binary"}) {
     succeed ("pcl_normal_smoothing wave.pcd wave.ply -point_iterations 0 -format " + format);
-    succeed ("pcl_normal_smoothing wave.ply smooth.ply -format " + format);
+    succeed ("pcl_normal_smoothing wave.ply smooth.ply -preset paper -format " + format);
     succeed ("pcl_normal_smoothing smooth.ply out.pcd -point_iterations 0");
     expectSmoothed (wave, readPcdFile (path ("out.pcd")));
   }
@@ -133,7 +133,7 @@ TEST_F (FieldsKept, DoublePositionsFarAway)
 TEST_F (FieldsKept, SavedNormals)
 {
   const tools::CloudFile wave = savedWave ("wave.pcd");
-  succeed ("pcl_normal_smoothing wave.pcd out.pcd -save_normals 1");
+  succeed ("pcl_normal_smoothing wave.pcd out.pcd -preset paper -save_normals 1");
   const tools::CloudFile out = readPcdFile (path ("out.pcd"));
   expectSmoothed (wave, out);
   const std::string before = bytesOf (out, "normal_z");

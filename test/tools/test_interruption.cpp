@@ -20,7 +20,7 @@ protected:
   interrupt (int signal)
   {
     const int process = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing", path ("wave.pcd"), path ("out.pcd"),
-                                    "-point_iterations", "1000000", "-k", "200"}, folder_);
+                                    "-update", "paper", "-point_iterations", "1000000"}, folder_);
     std::this_thread::sleep_for (std::chrono::milliseconds (700));
     kill (process, signal);
     return waitFor (process, folder_);

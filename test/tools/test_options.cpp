@@ -55,8 +55,8 @@ TEST_F (Usage, MalformedValue)
        {"-k 15x", "-k 1.5", "-k 0", "-k -4", "-k 99999999999999999999", "-radius nan", "-radius inf", "-radius 0", "-radius 1e99",
         "-sigma_s -0.3", "-sigma_s 1e-99", "-threshold 1", "-threshold -0.1", "-threshold 0.99999999999", "-normals best",
         "-save_normals yes", "-normal_iterations -1", "-point_iterations 1e3", "-seed -1", "-threads -1", "-format xml",
-        "-preset slow", "-max_displacement 0", "-update PAPER"})
-    expectRefused ("pcl_normal_smoothing wave.pcd out.pcd " + option, option.substr (0, option.find (' ')));
+        "-preset slow", "-point_iterations 7", "-noise_sigma -1", "-max_displacement 0", "-update PAPER"})
+    expectRefused ("pcl_normal_smoothing wave.pcd out.pcd " + option, option == "-point_iterations 7" ? "rounds" : option.substr (0, option.find (' ')));
 }
 
 TEST_F (Usage, FileNames)

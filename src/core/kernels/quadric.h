@@ -59,8 +59,9 @@ public:
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j <= i; ++j) {
         Lanes sum = moments_[moment[i][j]];
+        // Half for u v: a3^2 + a4^2 / 2 + a5^2 does not change where the frame turns about its normal.
         if (i == j)
-          sum += moments_[0] * (i >= 3 ? ridge + smallest_ridge : splat (smallest_ridge));
+          sum += moments_[0] * (i >= 3 ? (i == 4 ? .5f : 1.0f) * ridge + smallest_ridge : splat (smallest_ridge));
         for (int t = 0; t < j; ++t)
           sum -= lower[i][t] * lower[j][t];
         if (i == j)

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shapes.h"
+
+#include <pcl_normal_smoothing/core/noise_estimate.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using namespace pcl_normal_smoothing::core;
+using namespace test_support;
+
+NoiseEstimate
+estimateOf (const Vectors& points, std::uint32_t k = 16, unsigned threads = 2)
+{
+  const Execution execution (threads);
+  const auto graph = NeighborGraph::build (asPositions (points), {k}, execution);
+  return estimateNoise (*graph, gather (asPositions (points), graph->order ()), execution);
+}
+
+Vectors
+noisy (const Shape& shape, double sigma)
+{
+  Vectors points = shape.points;
+  for (std::size_t i = 0; i < points.size (); ++i)
+    points[i] += static_cast<float> (sigma * gaussianNoise (3, i)) * shape.normals[i];
+  return points;
+}
+
+TEST (NoiseEstimateTest, ReadsTheNoiseOfKnownShapes)
+{
+  // Points of a Fibonacci sphere of radius 1 are sqrt (4 pi / n) apart, those of the others as they say.
+  const double of_sphere = std::sqrt (4 * M_PI / 6000);
+  for (const double noise : {0.05, 0.1, 0.2, 0.3, 0.5}) {
+    const std::pair<Shape, double> shapes[] = {
+        {sphere (6000, 1), of_sphere}, {planeGrid (80, 0.01f), 0.01}, {cube (40, 1), 1.0 / 40}};
+    for (const auto& [shape, spacing] : shapes) {
+      const double read = estimateOf (noisy (shape, noise * spacing)).sigma;
+      EXPECT_GT (read, 0.75 * noise * spacing) << noise;
+      EXPECT_LT (read, 1.4 * noise * spacing) << noise;
+    }
+  }
+}
+
+TEST (NoiseEstimateTest, ReadsTheSpacing)
+{
+  EXPECT_NEAR (estimateOf (planeGrid (80, 0.01f).points).spacing, 0.01, 0.002);
+}
+
+TEST (NoiseEstimateTest, ACleanCloudHasNone)
+{
+  EXPECT_LT (estimateOf (planeGrid (80, 0.01f).points).sigma, 1e-6);
+  EXPECT_LT (estimateOf (sphere (6000, 1).points).sigma, 0.02 * 0.045);
+}
+
+TEST (NoiseEstimateTest, OrderThreadsAndLargerRowsDoNotMatter)
+{
+  const Vectors points = noisy (torus (9000, 1, 0.4), 0.01);
+  const NoiseEstimate expected = estimateOf (points, 16, 1);
+  Vectors shuffled;
+  for (const std::uint32_t i : permutation (points.size (), 4))
+    shuffled.push_back (points[i]);
+  for (const NoiseEstimate& other : {estimateOf (shuffled), estimateOf (points, 16, 4), estimateOf (points, 32)}) {
+    EXPECT_EQ (other.sigma, expected.sigma);
+    EXPECT_EQ (other.spacing, expected.spacing);
+  }
+}
+
+TEST (NoiseEstimateTest, ShortRowsAreSearchedAgain)
+{
+  const Vectors points = noisy (sphere (6000, 1), 0.01);
+  EXPECT_EQ (estimateOf (points, 5).sigma, estimateOf (points, 16).sigma);
+}
+
+TEST (NoiseEstimateTest, TooFewPointsGiveZero)
+{
+  EXPECT_EQ (estimateOf (sphere (5, 1).points).sigma, 0);
+  EXPECT_EQ (estimateOf (Vectors (50, Eigen::Vector3f (1, 2, 3))).sigma, 0);
+}
+} // namespace
