@@ -184,7 +184,7 @@ TEST_P (RobustSmoothingTest, ThreadsAndOrderDoNotMatter)
     ASSERT_EQ (shuffled[i], expected[order[i]]) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P (Presets, RobustSmoothingTest, testing::Bool (), [] (const auto& info) {
-  return info.param ? "Fast" : "Default";
+INSTANTIATE_TEST_SUITE_P (Presets, RobustSmoothingTest, testing::Bool (), [] (const auto& preset) {
+  return preset.param ? "Fast" : "Default";
 });
 } // namespace

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_graph.h"
+#include "method_options.h"
+#include "tool.h"
+
+#include <pcl_normal_smoothing/core/noise_estimate.h>
+
+#include <cstdio>
+
+using namespace pcl_normal_smoothing;
+
+namespace
+{
+constexpr int standard_k = 16;
+
+class SurfaceNoiseEstimationTool : public tools::Tool
+{
+  void
+  describe (tools::Options& options) override
+  {
+    options.describe ("Tells how noisy a scan is: the standard deviation of its noise along the surface's normal.",
+                      {"input.pcd|ply"});
+    search_.addTo (options, std::to_string (standard_k));
+  }
+
+  void
+  work (const tools::Options& options) override
+  {
+    const tools::CloudFile file = tools::loadInput (options.file (0));
+    const core::Execution execution (search_.threads, tools::progressOnTerminal ());
+    const tools::CloudGraph cloud = tools::searchNeighbors (file, search_.query (standard_k), execution.part (0, 0.9));
+    const core::NoiseEstimate noise = core::estimateNoise (*cloud.graph, cloud.nodes, execution.part (0.9, 1));
+    if (noise.spacing > 0)
+      std::printf ("noise sigma %.9g, spacing %.9g, in the cloud's unit: noise of %.3f spacings\n", noise.sigma,
+                   noise.spacing, noise.sigma / noise.spacing);
+    else
+      std::printf ("no noise to be seen: neighbourhoods have fewer than 8 points or no extent\n");
+  }
+
+  tools::SearchOptions search_;
+};
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  SurfaceNoiseEstimationTool tool;
+  return tools::runTool (argc, argv, tool);
+}
