@@ -12,7 +12,8 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-const char* const normals_advice = "estimate them first, with pcl_wpca_normal_estimation or pcl_hough_normal_estimation";
+const char* const normals_advice =
+    "estimate them first, with pcl_wpca_normal_estimation or pcl_hough_normal_estimation";
 
 VectorView
 positionsOf (const CloudFile& file)
@@ -30,7 +31,8 @@ normalLayoutOf (const CloudFile& file, const std::string& advice)
 {
   const auto layout = VectorLayout::find (*file.cloud, {"normal_x", "normal_y", "normal_z"});
   if (!layout)
-    throw core::Error ("the cloud has no fields normal_x, normal_y, normal_z that are all float or all double: " + advice);
+    throw core::Error ("the cloud has no fields normal_x, normal_y, normal_z that are all float or all double: " +
+                       advice);
   return *layout;
 }
 

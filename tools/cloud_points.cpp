@@ -14,8 +14,9 @@ verticesOf (const CloudFile& file, const Mesh& mesh)
 {
   const VectorView positions = positionsOf (file);
   if (positions.size != mesh.vertices.size ())
-    throw core::Error ("the mesh has " + std::to_string (mesh.vertices.size ()) + " vertices, but " + file.path + " has " +
-                       std::to_string (positions.size) + " points: give the cloud whose point i is vertex i of the mesh");
+    throw core::Error ("the mesh has " + std::to_string (mesh.vertices.size ()) + " vertices, but " + file.path +
+                       " has " + std::to_string (positions.size) +
+                       " points: give the cloud whose point i is vertex i of the mesh");
   Points points;
   for (std::size_t i = 0; i < positions.size; ++i) {
     points.push_back (positions.layout.get (positions.data, i));

@@ -36,7 +36,8 @@ Eigen::Vector3d
 gradientAt (const Eigen::Vector3d& p)
 {
   const double eight = p.x () * p.x () * (1 - p.x () * p.x ()) - p.y () * p.y ();
-  return {2 * eight * (2 * p.x () - 4 * p.x () * p.x () * p.x ()), -4 * eight * p.y (), 2 * flatness * flatness * p.z ()};
+  return {2 * eight * (2 * p.x () - 4 * p.x () * p.x () * p.x ()), -4 * eight * p.y (),
+          2 * flatness * flatness * p.z ()};
 }
 
 /** Newton's method along the gradient. */
@@ -116,9 +117,9 @@ makeDoubleTorus (std::size_t vertices)
     flipEdges (mesh);
     relax (mesh);
   }
-  while (flipEdges (mesh) > 0) {
-  }
-  const auto v = static_cast<std::ptrdiff_t> (mesh.vertices.size ()), f = static_cast<std::ptrdiff_t> (mesh.triangles.size ());
+  while (flipEdges (mesh) > 0) {}
+  const auto v = static_cast<std::ptrdiff_t> (mesh.vertices.size ()),
+             f = static_cast<std::ptrdiff_t> (mesh.triangles.size ());
   if (mesh.vertices.size () != vertices || v - static_cast<std::ptrdiff_t> (edgesOf (mesh).size ()) + f != -2)
     throw core::Error ("no double torus of " + std::to_string (vertices) + " vertices came about: try another number");
   return mesh;

@@ -21,13 +21,15 @@ using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 std::uint32_t
 opposite (const Mesh::Triangle& t, const MeshEdge& edge)
 {
-  return *std::find_if (t.begin (), t.end (), [&] (std::uint32_t corner) { return corner != edge.a && corner != edge.b; });
+  return *std::find_if (t.begin (), t.end (),
+                        [&] (std::uint32_t corner) { return corner != edge.a && corner != edge.b; });
 }
 
 double
 angleAt (const Mesh& mesh, std::uint32_t corner, const MeshEdge& edge)
 {
-  const Eigen::Vector3d u = mesh.vertices[edge.a] - mesh.vertices[corner], v = mesh.vertices[edge.b] - mesh.vertices[corner];
+  const Eigen::Vector3d u = mesh.vertices[edge.a] - mesh.vertices[corner],
+                        v = mesh.vertices[edge.b] - mesh.vertices[corner];
   return std::atan2 (u.cross (v).norm (), u.dot (v));
 }
 

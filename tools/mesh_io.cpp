@@ -40,7 +40,8 @@ public:
     if (!(std::ifstream ("/proc/self/statm") >> pages))
       return;
     rlimit bound = before_;
-    bound.rlim_cur = std::min<rlim_t> (bound.rlim_cur, pages * static_cast<std::size_t> (sysconf (_SC_PAGESIZE)) + more);
+    bound.rlim_cur =
+        std::min<rlim_t> (bound.rlim_cur, pages * static_cast<std::size_t> (sysconf (_SC_PAGESIZE)) + more);
     setrlimit (RLIMIT_AS, &bound);
   }
 

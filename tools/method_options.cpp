@@ -77,16 +77,16 @@ asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const S
   if (search.max_radius > 0)
     line += " -max_radius " + textOf (static_cast<float> (search.max_radius));
   if (method.robust)
-    line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " + textOf (method.rounds.noise.sigma) +
-            " -point_spacing " + textOf (method.rounds.noise.spacing) +
+    line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " +
+            textOf (method.rounds.noise.sigma) + " -point_spacing " + textOf (method.rounds.noise.spacing) +
             optionIfFinite (" -max_displacement ", method.rounds.max_displacement);
   else
     line += " -weights " + wordFor (weights, method.filter.weight) + " -mixed " +
             wordFor (mixed_thresholds, method.filter.mixed_threshold) + " -threshold " +
             textOf (method.filter.threshold) + " -sigma_s " + textOf (method.filter.sigma_s) + " -normal_iterations " +
-            textOf (method.filter.iterations) + " -update " + wordFor (rules, method.update.rule) + " -update_sigma_s " +
-            textOf (method.update.sigma_s) + " -point_iterations " + textOf (method.update.iterations) +
-            optionIfFinite (" -max_displacement ", method.update.max_displacement);
+            textOf (method.filter.iterations) + " -update " + wordFor (rules, method.update.rule) +
+            " -update_sigma_s " + textOf (method.update.sigma_s) + " -point_iterations " +
+            textOf (method.update.iterations) + optionIfFinite (" -max_displacement ", method.update.max_displacement);
   return line + " -oriented " + (method.filter.oriented ? "1" : "0") + " -seed " + std::to_string (method.hough.seed);
 }
 
@@ -144,7 +144,8 @@ addFilterOptions (Options& options, const Standard& standard, SmoothingSettings&
   options.add ("-weights", wordList (weights), "weight of a neighbour's normal",
                standard ([] (const auto& method) { return wordFor (weights, method.filter.weight); }),
                choiceOption<NormalWeight> (weights, [&] (auto weight) { settings.setNormalWeight (weight); }));
-  options.add ("-mixed", wordList (mixed_thresholds), "threshold of -weights mixed: as the paper prints it, or root mean square",
+  options.add ("-mixed", wordList (mixed_thresholds),
+               "threshold of -weights mixed: as the paper prints it, or root mean square",
                standard ([] (const auto& method) { return wordFor (mixed_thresholds, method.filter.mixed_threshold); }),
                choiceOption<MixedThreshold> (mixed_thresholds, [&] (auto kind) { settings.setMixedThreshold (kind); }));
   options.add ("-threshold", "T", "of -weights threshold: cosine up to which a normal does not count, 0 to 1",
@@ -155,7 +156,8 @@ addFilterOptions (Options& options, const Standard& standard, SmoothingSettings&
                positiveOption ([&] (double sigma) { settings.setSigmaS (sigma); }));
   options.add ("-normal_iterations", "N", "iterations of the normal filter",
                standard ([] (const auto& method) { return textOf (method.filter.iterations); }),
-               integerOption (0, max_iterations, [&] (auto n) { settings.setNormalIterations (static_cast<int> (n)); }));
+               integerOption (0, max_iterations,
+                              [&] (auto n) { settings.setNormalIterations (static_cast<int> (n)); }));
 }
 
 void
@@ -167,12 +169,12 @@ addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings&
   options.add ("-update_sigma_s", "S", "standard deviation of 1 - cosine of two normals in the point update",
                standard ([] (const auto& method) { return textOf (method.update.sigma_s); }),
                positiveOption ([&] (double sigma) { settings.setUpdateSigmaS (sigma); }));
-  options.add ("-point_iterations", "N", "iterations of the point update; rounds, at most 6, of the presets default and fast",
+  options.add ("-point_iterations", "N",
+               "iterations of the point update; rounds, at most 6, of the presets default and fast",
                standard ([] (const auto& m) { return textOf (m.robust ? m.rounds.rounds : m.update.iterations); }),
                integerOption (0, max_iterations, [&] (auto n) { settings.setPointIterations (static_cast<int> (n)); }));
   options.add ("-max_displacement", "D", "farthest that a point may end from where it began, in the cloud's unit",
-               standard (limitOf),
-               positiveOption ([&] (double distance) { settings.setMaxDisplacement (distance); }));
+               standard (limitOf), positiveOption ([&] (double distance) { settings.setMaxDisplacement (distance); }));
 }
 
 void
@@ -180,7 +182,8 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
 {
   const double limit = std::numeric_limits<float>::infinity ();
   options.add ("-noise_sigma", "S", "standard deviation of the noise along the normal, in the cloud's unit, for rounds",
-               "estimated from the cloud", numberOption (0, limit, [&] (double sigma) { settings.setNoiseSigma (sigma); }));
+               "estimated from the cloud",
+               numberOption (0, limit, [&] (double sigma) { settings.setNoiseSigma (sigma); }));
   options.add ("-point_spacing", "D", "distance between neighbouring points, in the cloud's unit, for rounds",
                "estimated from the cloud", numberOption (0, limit, [&] (double d) { settings.setPointSpacing (d); }));
 }

@@ -181,8 +181,9 @@ Options::printHelp (const std::string& tool) const
     std::printf ("  %-*s  %s (default: %s)\n", static_cast<int> (width), (option.name + " " + option.value).c_str (),
                  option.help.c_str (), option.standard.c_str ());
   std::printf ("  %-*s  this help\n", static_cast<int> (width), "-h");
-  std::printf ("\nexit status: 0 done, 1 wrong usage, 2 a file cannot be read or written, 3 the data cannot be worked on,\n"
-               "130 or 143 interrupted; nothing is written then.\n");
+  std::printf (
+      "\nexit status: 0 done, 1 wrong usage, 2 a file cannot be read or written, 3 the data cannot be worked on,\n"
+      "130 or 143 interrupted; nothing is written then.\n");
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

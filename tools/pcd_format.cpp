@@ -21,7 +21,7 @@ using Fields = std::vector<pcl::PCLPointField>;
 /** What the lines before the data say. */
 struct Header
 {
-  Fields fields; // the padding "_" among them
+  Fields fields;                    // the padding "_" among them
   std::vector<std::uint64_t> sizes; // of one number, as SIZE gives them
   std::uint64_t width = 0, height = 1, points = 0;
   bool has_points = false;
@@ -168,8 +168,9 @@ readAscii (std::string_view text, const Header& header, std::vector<std::uint8_t
       for (std::size_t c = 0; c < field.count; ++c, value += size) {
         const std::string_view word = nextWord (line);
         if (!parseValue (word, field.datatype, value))
-          throw FormatError ("field " + field.name + " of point " + std::to_string (i) +
-                             (word.empty () ? " is missing" : " is no number of its type (" + std::string (word) + ")"));
+          throw FormatError (
+              "field " + field.name + " of point " + std::to_string (i) +
+              (word.empty () ? " is missing" : " is no number of its type (" + std::string (word) + ")"));
       }
     }
     if (!nextWord (line).empty ())

@@ -48,7 +48,7 @@ header (const CloudFile& file, FileFormat format)
     text += ' ';
     appendFloat (number, text);
   }
-  const char* encoding = format == FileFormat::ASCII ? "ascii"
+  const char* encoding = format == FileFormat::ASCII    ? "ascii"
                          : format == FileFormat::BINARY ? "binary"
                                                         : "binary_compressed";
   return text + "\nPOINTS " + std::to_string (file.size ()) + "\nDATA " + encoding + "\n";

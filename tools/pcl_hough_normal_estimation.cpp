@@ -20,14 +20,15 @@ class HoughNormalEstimationTool : public tools::Tool
                       "normal_z curvature beside the other fields.",
                       {"input.pcd|ply", "output.pcd|ply"});
     search_.addTo (options, std::to_string (standard_k));
-    options.add ("-confidence", "A", "probability with which the votes come close to their distribution, 0 to 1", "0.95",
-                 shareOption (hough_.confidence));
-    options.add ("-tolerance", "D", "how close they come, 0 to 1; the number of votes grows with its inverse square", "0.08",
-                 shareOption (hough_.tolerance));
+    options.add ("-confidence", "A", "probability with which the votes come close to their distribution, 0 to 1",
+                 "0.95", shareOption (hough_.confidence));
+    options.add ("-tolerance", "D", "how close they come, 0 to 1; the number of votes grows with its inverse square",
+                 "0.08", shareOption (hough_.tolerance));
     options.add ("-bands", "N", "bands of the accumulator between its poles", std::to_string (hough_.bands),
                  tools::integerOption (2, 1000, [this] (auto number) { hough_.bands = static_cast<int> (number); }));
     options.add ("-rotations", "N", "randomly rotated accumulators", std::to_string (hough_.rotations),
-                 tools::integerOption (1, 1000, [this] (auto number) { hough_.rotations = static_cast<int> (number); }));
+                 tools::integerOption (1, 1000,
+                                       [this] (auto number) { hough_.rotations = static_cast<int> (number); }));
     tools::addSeedOption (options, "0", [this] (std::uint64_t seed) { hough_.seed = seed; });
     format_.addTo (options);
   }
@@ -48,7 +49,8 @@ class HoughNormalEstimationTool : public tools::Tool
     const tools::CloudGraph cloud = tools::searchNeighbors (file, query, execution.part (0, 0.05));
     const core::SurfaceEstimator estimator = core::makeEstimator (NormalSource::HOUGH, hough_);
     tools::writeSurfaces (*cloud.graph,
-                          core::estimateSurfaces (*cloud.graph, cloud.nodes, estimator, execution.part (0.05, 1)), file);
+                          core::estimateSurfaces (*cloud.graph, cloud.nodes, estimator, execution.part (0.05, 1)),
+                          file);
     tools::saveResult (file, options.file (1), format_.format);
   }
 

@@ -18,7 +18,8 @@ class MakeDoubleTorusTool : public tools::Tool
   {
     options.describe ("Writes a triangle mesh of a double torus, to try the other tools on.", {"output.ply"});
     options.add ("-vertices", "N", "number of vertices", std::to_string (vertices_),
-                 tools::integerOption (1000, 100000, [this] (auto number) { vertices_ = static_cast<std::size_t> (number); }));
+                 tools::integerOption (1000, 100000,
+                                       [this] (auto number) { vertices_ = static_cast<std::size_t> (number); }));
   }
 
   void
@@ -29,7 +30,8 @@ class MakeDoubleTorusTool : public tools::Tool
     tools::checkWritable (options.file (0));
     const tools::Mesh mesh = tools::makeDoubleTorus (vertices_);
     tools::saveMesh (mesh, options.file (0));
-    std::printf ("%s: %zu vertices, %zu triangles\n", options.file (0).c_str (), mesh.vertices.size (), mesh.triangles.size ());
+    std::printf ("%s: %zu vertices, %zu triangles\n", options.file (0).c_str (), mesh.vertices.size (),
+                 mesh.triangles.size ());
   }
 
   std::size_t vertices_ = 4350; // as many as the paper's has

@@ -21,8 +21,10 @@ class NormalSmoothingTool : public tools::Tool
   void
   describe (tools::Options& options) override
   {
-    options.describe (std::string ("Smooths the points of a noisy surface without rounding its edges; keeps every other "
-                                   "field.\n") + tools::presets_and_chain,
+    options.describe (std::string (
+                          "Smooths the points of a noisy surface without rounding its edges; keeps every other "
+                          "field.\n") +
+                          tools::presets_and_chain,
                       {"input.pcd|ply", "output.pcd|ply"});
     tools::addPresetOptions (options, smoothing_);
     search_.addTo (options, tools::presetStandardK ());

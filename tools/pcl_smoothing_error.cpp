@@ -17,7 +17,8 @@ class SmoothingErrorTool : public tools::Tool
                       {"clean_mesh.ply|off|obj|stl", "smoothed.pcd|ply"});
     options.add ("-noisy", "noisy.pcd|ply", "the cloud before smoothing, for p2s_ratio: 1 = nothing gained", "none",
                  [this] (const std::string& path) { noisy_ = path; });
-    options.add ("-json", "0|1", "1: one line of JSON", "0", tools::switchOption ([this] (bool json) { json_ = json; }));
+    options.add ("-json", "0|1", "1: one line of JSON", "0",
+                 tools::switchOption ([this] (bool json) { json_ = json; }));
   }
 
   void
@@ -39,10 +40,12 @@ class SmoothingErrorTool : public tools::Tool
     report.add ("p2s_max", distance.max, "distance to the mesh, largest");
     if (!noisy_.empty ()) {
       const tools::Points noisy = tools::verticesOf (tools::loadCloud (noisy_), mesh);
-      report.add ("p2s_ratio", distance.mean / tools::distanceToMesh (noisy, mesh).mean, "p2s_mean over that of the noisy cloud");
+      report.add ("p2s_ratio", distance.mean / tools::distanceToMesh (noisy, mesh).mean,
+                  "p2s_mean over that of the noisy cloud");
     }
     if (const auto normals = tools::normalsOf (file))
-      report.add ("angle_mean_deg", tools::meanAngle (*normals, mesh), "angle to the mesh's vertex normals, mean, degrees");
+      report.add ("angle_mean_deg", tools::meanAngle (*normals, mesh),
+                  "angle to the mesh's vertex normals, mean, degrees");
     report.print (json_);
   }
 

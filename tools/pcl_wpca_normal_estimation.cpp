@@ -16,8 +16,9 @@ class WPCANormalEstimationTool : public tools::Tool
   void
   describe (tools::Options& options) override
   {
-    options.describe ("Estimates normals by weighted PCA; writes normal_x normal_y normal_z curvature beside the other fields.",
-                      {"input.pcd|ply", "output.pcd|ply"});
+    options.describe (
+        "Estimates normals by weighted PCA; writes normal_x normal_y normal_z curvature beside the other fields.",
+        {"input.pcd|ply", "output.pcd|ply"});
     search_.addTo (options, std::to_string (standard_k));
     format_.addTo (options);
   }
@@ -31,7 +32,8 @@ class WPCANormalEstimationTool : public tools::Tool
     const core::Execution execution (search_.threads, tools::progressOnTerminal ());
     const tools::CloudGraph cloud = tools::searchNeighbors (file, query, execution.part (0, 0.7));
     tools::writeSurfaces (*cloud.graph,
-                          core::estimateSurfaces (*cloud.graph, cloud.nodes, core::wpcaSurface, execution.part (0.7, 1)),
+                          core::estimateSurfaces (*cloud.graph, cloud.nodes, core::wpcaSurface,
+                                                  execution.part (0.7, 1)),
                           file);
     tools::saveResult (file, options.file (1), format_.format);
   }

@@ -16,11 +16,22 @@ using Field = pcl::PCLPointField;
 std::uint8_t
 typeNamed (std::string_view name)
 {
-  constexpr std::array<std::pair<std::string_view, std::uint8_t>, 16> types {{
-      {"char", Field::INT8}, {"int8", Field::INT8}, {"uchar", Field::UINT8}, {"uint8", Field::UINT8},
-      {"short", Field::INT16}, {"int16", Field::INT16}, {"ushort", Field::UINT16}, {"uint16", Field::UINT16},
-      {"int", Field::INT32}, {"int32", Field::INT32}, {"uint", Field::UINT32}, {"uint32", Field::UINT32},
-      {"float", Field::FLOAT32}, {"float32", Field::FLOAT32}, {"double", Field::FLOAT64}, {"float64", Field::FLOAT64}}};
+  constexpr std::array<std::pair<std::string_view, std::uint8_t>, 16> types {{{"char", Field::INT8},
+                                                                              {"int8", Field::INT8},
+                                                                              {"uchar", Field::UINT8},
+                                                                              {"uint8", Field::UINT8},
+                                                                              {"short", Field::INT16},
+                                                                              {"int16", Field::INT16},
+                                                                              {"ushort", Field::UINT16},
+                                                                              {"uint16", Field::UINT16},
+                                                                              {"int", Field::INT32},
+                                                                              {"int32", Field::INT32},
+                                                                              {"uint", Field::UINT32},
+                                                                              {"uint32", Field::UINT32},
+                                                                              {"float", Field::FLOAT32},
+                                                                              {"float32", Field::FLOAT32},
+                                                                              {"double", Field::FLOAT64},
+                                                                              {"float64", Field::FLOAT64}}};
   for (const auto& [known, type] : types)
     if (known == name)
       return type;

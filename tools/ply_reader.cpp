@@ -99,9 +99,10 @@ public:
   explicit VertexFields (const PlyElement& vertex) : vertex_ (vertex)
   {
     const auto position = [&] (const char* name) {
-      const auto found = std::find_if (vertex.properties.begin (), vertex.properties.end (), [&] (const auto& property) {
-        return property.name == name && property.datatype == Field::UINT8 && property.list_type == 0;
-      });
+      const auto found =
+          std::find_if (vertex.properties.begin (), vertex.properties.end (), [&] (const auto& property) {
+            return property.name == name && property.datatype == Field::UINT8 && property.list_type == 0;
+          });
       return found - vertex.properties.begin ();
     };
     const auto end = static_cast<std::ptrdiff_t> (vertex.properties.size ());
@@ -121,7 +122,8 @@ public:
         slots.push_back ({addField (cloud, fieldName (property.name), property.datatype, lengths[p]), lengths[p]});
       else {
         if (colour_offset_ == none)
-          colour_offset_ = has_alpha_ ? addField (cloud, "rgba", Field::UINT32, 1) : addField (cloud, "rgb", Field::FLOAT32, 1);
+          colour_offset_ =
+              has_alpha_ ? addField (cloud, "rgba", Field::UINT32, 1) : addField (cloud, "rgb", Field::FLOAT32, 1);
         slots.push_back ({colour_offset_ + static_cast<std::size_t> (channel), 1});
       }
     }
@@ -202,7 +204,8 @@ readVertices (const PlyElement& vertex, Values& values, pcl::PCLPointCloud2& clo
     for (std::size_t p = 0; p < slots.size (); ++p) {
       const PlyProperty& property = vertex.properties[p];
       if (property.list_type != 0 && values.readLength (property.list_type) != slots[p].length)
-        throw FormatError ("has lists " + property.name + " of different lengths in its vertices, which no cloud can hold");
+        throw FormatError ("has lists " + property.name +
+                           " of different lengths in its vertices, which no cloud can hold");
       for (std::size_t c = 0; c < slots[p].length; ++c)
         values.read (property.datatype, point + slots[p].offset + c * sizeOfType (property.datatype));
     }

@@ -67,8 +67,9 @@ header (const CloudFile& file, FileFormat format)
   }
   // VTK wants faces to be named. The camera is how PCL keeps the viewpoint, the width and the height.
   text += "element face 0\nproperty list uchar int vertex_indices\nelement camera 1\n";
-  for (const char* name : {"view_px", "view_py", "view_pz", "x_axisx", "x_axisy", "x_axisz", "y_axisx", "y_axisy",
-                           "y_axisz", "z_axisx", "z_axisy", "z_axisz", "focal", "scalex", "scaley", "centerx", "centery"})
+  for (const char* name :
+       {"view_px", "view_py", "view_pz", "x_axisx", "x_axisy", "x_axisz", "y_axisx", "y_axisy", "y_axisz", "z_axisx",
+        "z_axisy", "z_axisz", "focal", "scalex", "scaley", "centerx", "centery"})
     text += std::string ("property float ") + name + "\n";
   return text + "property int viewportx\nproperty int viewporty\nproperty float k1\nproperty float k2\nend_header\n";
 }

@@ -35,7 +35,8 @@ toVtk (const Mesh& mesh, const Eigen::Vector3d& origin)
     points->InsertNextPoint (Eigen::Vector3d (vertex - origin).data ());
   vtkNew<vtkCellArray> cells;
   for (const Mesh::Triangle& t : mesh.triangles)
-    cells->InsertNextCell ({static_cast<vtkIdType> (t[0]), static_cast<vtkIdType> (t[1]), static_cast<vtkIdType> (t[2])});
+    cells->InsertNextCell (
+        {static_cast<vtkIdType> (t[0]), static_cast<vtkIdType> (t[1]), static_cast<vtkIdType> (t[2])});
   vtkNew<vtkPolyData> data;
   data->SetPoints (points);
   data->SetPolys (cells);

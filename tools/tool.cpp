@@ -46,7 +46,8 @@ handleSignals ()
     sigaction (signal, nullptr, &before);
     if (before.sa_handler == SIG_IGN) // in the background, or under nohup
       continue;
-    struct sigaction action {};
+    struct sigaction action
+    {};
     action.sa_handler = endInterrupted;
     sigfillset (&action.sa_mask);
     sigaction (signal, &action, nullptr);

@@ -118,6 +118,13 @@ extrapolated (double small, double large, double slope, double largest_excess)
   const double trust = std::clamp (2 - excess / (largest_excess * small + 1e-30), 0.0, 1.0);
   return std::max (small - slope * trust * excess, 0.2 * small);
 }
+/** Coordinates in steps as large as the noise (depth cameras): the eight nearest points often lie in one plane exactly, and
+  * show far less than the larger neighbourhoods, which agree. Curvature makes them differ too. */
+bool
+isQuantised (double of_8, double of_12, double of_16)
+{
+  return of_12 > 5 * of_8 && of_16 < 1.3 * of_12;
+}
 } // namespace
 
 NoiseEstimate
@@ -130,7 +137,10 @@ estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Executi
   auto& [of_8, of_12, of_16] = residuals.variances;
   // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom. Edges spoil the upper ones, other sheets all
   // but the lower ones.
-  const double lower_8 = quantile (of_8, .25) / .2877, lower_12 = quantile (of_12, .25) / .5758;
+  const double lower_12 = quantile (of_12, .25) / .5758, lower_16 = quantile (of_16, .25) / .6737;
+  double lower_8 = quantile (of_8, .25) / .2877;
+  if (isQuantised (lower_8, lower_12, lower_16))
+    lower_8 = lower_12;
   const double lower = extrapolated (lower_8, lower_12, .3, 2.5), lowest = extrapolated (lower_8, lower_12, .9, 2.5);
   const double median = extrapolated (quantile (of_8, .5) / .6931, quantile (of_12, .5) / .891, .3, 2.5);
   const double upper = extrapolated (quantile (of_8, .75) / 1.3863, quantile (of_16, .75) / 1.2549, .4, 3);

@@ -5,8 +5,9 @@ using namespace pcl_normal_smoothing;
 
 namespace
 {
-const std::vector<std::string> filters {"pcl_normal_smoothing", "pcl_wpca_normal_estimation", "pcl_hough_normal_estimation",
-                                        "pcl_bilateral_normal_filter", "pcl_normal_guided_point_update"};
+const std::vector<std::string> filters {"pcl_normal_smoothing", "pcl_wpca_normal_estimation",
+                                        "pcl_hough_normal_estimation", "pcl_bilateral_normal_filter",
+                                        "pcl_normal_guided_point_update"};
 
 /** The header of an ASCII file of floats. */
 std::string
@@ -51,8 +52,8 @@ TEST_F (DataTrouble, NothingToWorkOn)
     expectRefused (command, "empty");
     writeText (path ("in.pcd"), header ("x y z normal_x normal_y normal_z", 2) + "0 0 0 0 0 1\n1 0 0 0 0 1\n");
     expectRefused (command, "2 finite points");
-    writeText (path ("in.pcd"), header ("x y z normal_x normal_y normal_z", 3) +
-                                    "nan 0 0 0 0 1\nnan nan nan 0 0 1\n1 0 inf 0 0 1\n");
+    writeText (path ("in.pcd"),
+               header ("x y z normal_x normal_y normal_z", 3) + "nan 0 0 0 0 1\nnan nan nan 0 0 1\n1 0 inf 0 0 1\n");
     expectRefused (command, "0 finite points");
     writeText (path ("in.pcd"), header ("u v", 3) + "1 2\n3 4\n5 6\n");
     expectRefused (command, "x, y, z");

@@ -20,7 +20,8 @@ expectSmoothed (const tools::CloudFile& before, const tools::CloudFile& after)
   EXPECT_EQ (after.cloud->height, 15u);
   for (const std::string& name : other_fields) {
     EXPECT_EQ (bytesOf (before, name), bytesOf (after, name)) << name;
-    EXPECT_EQ (tools::findField (*before.cloud, name)->datatype, tools::findField (*after.cloud, name)->datatype) << name;
+    EXPECT_EQ (tools::findField (*before.cloud, name)->datatype, tools::findField (*after.cloud, name)->datatype)
+        << name;
   }
   std::size_t moved = 0;
   for (std::size_t i = 0; i < 300; ++i)

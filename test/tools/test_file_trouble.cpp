@@ -45,8 +45,8 @@ protected:
 std::string
 pcd (const std::string& points, const std::string& data)
 {
-  return "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + points + "\nHEIGHT 1\nPOINTS " + points +
-         "\nDATA " + data;
+  return "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + points + "\nHEIGHT 1\nPOINTS " +
+         points + "\nDATA " + data;
 }
 
 std::string

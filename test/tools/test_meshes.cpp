@@ -17,8 +17,8 @@ namespace
 std::string
 planeAsOff (int side)
 {
-  std::string text = "OFF\n# a comment\n" + std::to_string (side * side) + " " +
-                     std::to_string ((side - 1) * (side - 1)) + " 0\n";
+  std::string text =
+      "OFF\n# a comment\n" + std::to_string (side * side) + " " + std::to_string ((side - 1) * (side - 1)) + " 0\n";
   for (int i = 0; i < side * side; ++i)
     text += std::to_string (i % side) + " " + std::to_string (i / side) + " 0\n";
   for (int y = 0; y + 1 < side; ++y)
@@ -82,8 +82,9 @@ TEST_F (Meshes, OrderAndPolygonsOfEveryFormat)
   EXPECT_EQ (tools::vertexNormals (off)[0], Eigen::Vector3d (0, 0, 1));
   writeText (path ("a.obj"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
   EXPECT_EQ (tools::loadMesh (path ("a.obj")).triangles.size (), 2u);
-  writeText (path ("a.stl"), "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\n"
-                             "endfacet\nendsolid a\n");
+  writeText (path ("a.stl"),
+             "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\n"
+             "endfacet\nendsolid a\n");
   EXPECT_EQ (tools::loadMesh (path ("a.stl")).vertices.size (), 3u);
   tools::saveMesh (off, path ("a.ply"));
   EXPECT_EQ (tools::loadMesh (path ("a.ply")).triangles, off.triangles);
@@ -101,8 +102,9 @@ TEST_F (Meshes, ThatLie)
   expectUnreadable ("a.obj", "hello\n");
   expectUnreadable ("a.stl", std::string (80, ' ') + "\xff\xff\xff\x7f" + std::string (50, ' '));
   expectUnreadable ("a.ply", "ply\nformat ascii 1.0\nelement vertex 2000000000\nproperty float x\nend_header\n0\n");
-  expectUnreadable ("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
-                             "end_header\n0 0 0\n");
+  expectUnreadable ("a.ply",
+                    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+                    "end_header\n0 0 0\n");
   expectUnreadable ("a.dae", "");
 }
 
@@ -146,7 +148,8 @@ TEST_F (Meshes, ErrorsOfAShiftedPlane)
   for (const char* key : {"p2s_mean", "p2s_rms", "p2s_max", "p2s_ratio"})
     EXPECT_NEAR (jsonNumber (json, key), 0.25, 1e-9) << key;
   EXPECT_NEAR (jsonNumber (json, "angle_mean_deg"), 45, 1e-4);
-  EXPECT_TRUE (std::isnan (jsonNumber (succeed ("pcl_smoothing_error plane.off smoothed.pcd -json 1").out, "p2s_ratio")));
+  EXPECT_TRUE (
+      std::isnan (jsonNumber (succeed ("pcl_smoothing_error plane.off smoothed.pcd -json 1").out, "p2s_ratio")));
   EXPECT_NE (succeed ("pcl_smoothing_error plane.off smoothed.pcd").out.find ("p2s_mean"), std::string::npos);
 }
 
@@ -183,7 +186,7 @@ TEST_F (Meshes, DoubleTorus)
   succeed ("pcl_make_double_torus torus.ply");
   const tools::Mesh torus = tools::loadMesh (path ("torus.ply"));
   EXPECT_EQ (torus.vertices.size (), 4350u);
-  EXPECT_EQ (torus.triangles.size (), 8704u);            // 2 (V + 2), as genus 2 asks for
+  EXPECT_EQ (torus.triangles.size (), 8704u);                // 2 (V + 2), as genus 2 asks for
   EXPECT_EQ (tools::edgesOf (torus).size (), 3 * 8704u / 2); // every edge between two triangles: closed
   double volume = 0, smallest_angle = 180;
   for (const auto& t : torus.triangles) {

@@ -130,14 +130,17 @@ TEST_F (NormalTools, OtherFieldsStay)
   }
   // Fields that are there are written over, not added.
   succeed ("pcl_hough_normal_estimation wpca.pcd hough.pcd");
-  EXPECT_EQ (readPcdFile (path ("hough.pcd")).cloud->fields.size (), readPcdFile (path ("wpca.pcd")).cloud->fields.size ());
-  EXPECT_NE (bytesOf (readPcdFile (path ("hough.pcd")), "normal_x"), bytesOf (readPcdFile (path ("wpca.pcd")), "normal_x"));
+  EXPECT_EQ (readPcdFile (path ("hough.pcd")).cloud->fields.size (),
+             readPcdFile (path ("wpca.pcd")).cloud->fields.size ());
+  EXPECT_NE (bytesOf (readPcdFile (path ("hough.pcd")), "normal_x"),
+             bytesOf (readPcdFile (path ("wpca.pcd")), "normal_x"));
 }
 
 TEST_F (NormalTools, DoublePositionsFarAway)
 {
   const Eigen::Vector3d far (5e6, -4e6, 3e3);
-  tools::CloudFile near_wave = makeWave (pcl::PCLPointField::FLOAT64), far_wave = makeWave (pcl::PCLPointField::FLOAT64, far);
+  tools::CloudFile near_wave = makeWave (pcl::PCLPointField::FLOAT64),
+                   far_wave = makeWave (pcl::PCLPointField::FLOAT64, far);
   near_wave.origin = Eigen::Vector4f (0, 0, 100, 0);
   far_wave.origin = Eigen::Vector4f (5e6f, -4e6f, 3100, 0);
   savePcd (near_wave, path ("near.pcd"));

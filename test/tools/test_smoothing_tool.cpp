@@ -34,8 +34,9 @@ protected:
   std::string parameters_;
 };
 
-const std::string paper = "-normals pca -weights gaussian -k 7 -normal_iterations 5 -point_iterations 7 -threshold 0.65 "
-                          "-sigma_s 0.3 -mixed printed -update paper -update_sigma_s 0.3333333333333333";
+const std::string paper =
+    "-normals pca -weights gaussian -k 7 -normal_iterations 5 -point_iterations 7 -threshold 0.65 "
+    "-sigma_s 0.3 -mixed printed -update paper -update_sigma_s 0.3333333333333333";
 } // namespace
 
 TEST_F (SmoothingTool, PresetPaperIsThisListOfOptions)
@@ -56,7 +57,8 @@ TEST_F (SmoothingTool, OptionsHoldOverPresetsInAnyOrder)
 TEST_F (SmoothingTool, PrintedParametersGiveTheSameAgain)
 {
   for (const std::string options :
-       {"", "-noise_sigma 0.0123456", "-preset fast -noise_sigma 0.02 -point_spacing 0.3", "-preset paper", "-preset fast -normals hough -seed 5", "-radius 1.1 -weights mixed -mixed rms -sigma_s 0.123456789",
+       {"", "-noise_sigma 0.0123456", "-preset fast -noise_sigma 0.02 -point_spacing 0.3", "-preset paper",
+        "-preset fast -normals hough -seed 5", "-radius 1.1 -weights mixed -mixed rms -sigma_s 0.123456789",
         "-k 9 -max_radius 0.7 -max_displacement 0.01 -update_sigma_s 0.1 -weights threshold"}) {
     const std::string expected = smoothedWave (options), parameters = parameters_;
     EXPECT_EQ (smoothedWave (parameters), expected) << options << "\n" << parameters;
@@ -92,8 +94,9 @@ TEST_F (SmoothingTool, NoProgressAndNoNoiseOffTheTerminal)
 
 TEST_F (SmoothingTool, SaysThatFacesAreLeftOut)
 {
-  writeText (path ("mesh.ply"), "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                                "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
-                                "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  writeText (path ("mesh.ply"),
+             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+             "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+             "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
   EXPECT_NE (succeed ("pcl_normal_smoothing mesh.ply out.pcd -k 4").err.find ("2 faces"), std::string::npos);
 }

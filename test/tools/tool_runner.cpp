@@ -73,7 +73,8 @@ ToolTest::run (const std::string& command) const
   std::istringstream stream (command);
   std::vector<std::string> words;
   for (std::string word; stream >> word;) {
-    const bool file = !words.empty () && word[0] != '-' && word.find ('.') != std::string::npos && std::isalpha (word[0]);
+    const bool file =
+        !words.empty () && word[0] != '-' && word.find ('.') != std::string::npos && std::isalpha (word[0]);
     words.push_back (words.empty () ? TOOLS_FOLDER "/" + word : file ? path (word) : word);
   }
   return waitFor (startTool (words, folder_), folder_);
