@@ -72,8 +72,9 @@ NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
 {
   const core::SmoothingOptions options = this->options ();
   const std::size_t size = std::size_t (input_->width) * input_->height;
-  const VectorLayout layout = requireLayout (
-      *input_, {"x", "y", "z"}, "the cloud has no fields x, y, z that are all float or all double: it cannot be smoothed");
+  const VectorLayout layout =
+      requireLayout (*input_, {"x", "y", "z"},
+                     "the cloud has no fields x, y, z that are all float or all double: it cannot be smoothed");
   requireData (*input_);
   std::optional<VectorView> normals;
   if (options.normals == NormalSource::INPUT)

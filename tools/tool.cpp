@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <new>
 
 namespace pcl_normal_smoothing
@@ -83,11 +84,12 @@ progressOnTerminal ()
 {
   if (!isatty (STDERR_FILENO))
     return {};
-  return [shown = -1] (double done) mutable {
+  // Shared: the stages of the work keep copies of the callback.
+  return [shown = std::make_shared<int> (-1)] (double done) {
     const int percent = static_cast<int> (100 * done);
-    if (percent != shown)
+    if (percent != *shown)
       std::fprintf (stderr, percent < 100 ? "\r%3d %%" : "\r     \r", percent);
-    shown = percent;
+    *shown = percent;
     return true;
   };
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_normal_smoothing/core/normal_filter.h>
+#include <pcl_normal_smoothing/input_normals.h>
 #include <pcl_normal_smoothing/search_settings.h>
 
 #include <pcl/filters/filter.h>
@@ -19,31 +20,17 @@ namespace pcl_normal_smoothing
   *
   * k or a radius must be set, or a neighbour graph. On an error the output is empty; see getErrorMessage. */
 template <typename PointT>
-class BilateralNormalFilter : public pcl::Filter<PointT>, public SearchSettings<PointT>
+class BilateralNormalFilter : public pcl::Filter<PointT>, public SearchSettings<PointT>, public InputNormals
 {
 public:
   using Ptr = pcl::shared_ptr<BilateralNormalFilter<PointT>>;
   using ConstPtr = pcl::shared_ptr<const BilateralNormalFilter<PointT>>;
   using PointCloud = pcl::PointCloud<PointT>;
-  using NormalsConstPtr = pcl::PointCloud<pcl::Normal>::ConstPtr;
 
   BilateralNormalFilter ()
   {
     this->filter_name_ = "BilateralNormalFilter";
     options_.iterations = 4;
-  }
-
-  /** Normals for the points of the input, one each, in place of the points' own. Default none. */
-  void
-  setInputNormals (const NormalsConstPtr& normals)
-  {
-    input_normals_ = normals;
-  }
-
-  NormalsConstPtr
-  getInputNormals () const
-  {
-    return input_normals_;
   }
 
   /** Which weight a neighbour's normal has. Default NormalWeight::GAUSSIAN. */
@@ -142,7 +129,6 @@ private:
   run (NeighborGraph::ConstPtr& graph);
 
   core::NormalFilterOptions options_;
-  NormalsConstPtr input_normals_;
 };
 } // namespace pcl_normal_smoothing
 

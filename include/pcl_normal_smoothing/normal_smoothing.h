@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/input_normals.h>
 #include <pcl_normal_smoothing/search_settings.h>
 #include <pcl_normal_smoothing/smoothing_settings.h>
 #include <pcl_normal_smoothing/vector_layout.h>
@@ -22,30 +23,16 @@ namespace pcl_normal_smoothing
   * Without k, radius and graph the preset chooses k. The result is the same, bit for bit, for any number of threads. On an
   * error the output is empty; see getErrorMessage. */
 template <typename PointT>
-class NormalSmoothing : public pcl::Filter<PointT>, public SearchSettings<PointT>, public SmoothingSettings
+class NormalSmoothing : public pcl::Filter<PointT>, public SearchSettings<PointT>, public InputNormals, public SmoothingSettings
 {
 public:
   using Ptr = pcl::shared_ptr<NormalSmoothing<PointT>>;
   using ConstPtr = pcl::shared_ptr<const NormalSmoothing<PointT>>;
   using PointCloud = pcl::PointCloud<PointT>;
-  using NormalsConstPtr = pcl::PointCloud<pcl::Normal>::ConstPtr;
 
   NormalSmoothing ()
   {
     this->filter_name_ = "NormalSmoothing";
-  }
-
-  /** Normals for the points of the input, one each, for NormalSource::INPUT. Default none: the points' own. */
-  void
-  setInputNormals (const NormalsConstPtr& normals)
-  {
-    input_normals_ = normals;
-  }
-
-  NormalsConstPtr
-  getInputNormals () const
-  {
-    return input_normals_;
   }
 
 protected:
@@ -58,9 +45,6 @@ protected:
   {
     return presetK ();
   }
-
-private:
-  NormalsConstPtr input_normals_;
 };
 
 /** The same for a cloud of any fields: reads x y z, float or double, and writes them; every other field stays byte for

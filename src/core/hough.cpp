@@ -76,7 +76,8 @@ void
 check (bool valid, const std::string& what, Number value, const std::string& range)
 {
   if (!valid)
-    throw Error ("the " + what + " of the Hough normal estimation is " + std::to_string (value) + ": give a number " + range);
+    throw Error ("the " + what + " of the Hough normal estimation is " + std::to_string (value) + ": give a number " +
+                 range);
 }
 
 /** The angle of (x, y) as a share of a full turn, [0, 1), within 0.001: enough to find a bin, the same everywhere. */
@@ -144,7 +145,8 @@ HoughEstimator::HoughEstimator (const HoughOptions& options) : options_ (options
   check (options.confidence > 0 && options.confidence < 1, "confidence", options.confidence, "between 0 and 1");
   check (options.tolerance > 0 && options.tolerance < 1, "tolerance", options.tolerance, "between 0 and 1");
   check (options.bands >= 2 && options.bands <= 1000, "number of bands", options.bands, "from 2 to 1000");
-  check (options.rotations >= 1 && options.rotations <= 1000, "number of rotations", options.rotations, "from 1 to 1000");
+  check (options.rotations >= 1 && options.rotations <= 1000, "number of rotations", options.rotations,
+         "from 1 to 1000");
 
   const float height = pi / static_cast<float> (options.bands);
   std::size_t bins = 0;

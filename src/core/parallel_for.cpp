@@ -46,7 +46,8 @@ parallelFor (std::size_t size,
   std::atomic<bool> stop {false};
   std::exception_ptr failure;
   // Threads without a chunk would only be started to wait.
-  const int threads = static_cast<int> (std::max<std::ptrdiff_t> (1, std::min<std::ptrdiff_t> (execution.threads (), chunks)));
+  const int threads =
+      static_cast<int> (std::max<std::ptrdiff_t> (1, std::min<std::ptrdiff_t> (execution.threads (), chunks)));
 
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::ptrdiff_t c = 0; c < chunks; ++c) {

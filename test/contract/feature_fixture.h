@@ -59,7 +59,8 @@ protected:
     CloudOut output = poisonedCloud<PointOut> ();
     feature.compute (output);
     expectEmpty (output);
-    EXPECT_TRUE (contains (feature.getErrorMessage (), part)) << "'" << feature.getErrorMessage () << "' without " << part;
+    EXPECT_TRUE (contains (feature.getErrorMessage (), part))
+        << "'" << feature.getErrorMessage () << "' without " << part;
     EXPECT_FALSE (feature.wasCancelled ());
   }
 
@@ -91,7 +92,8 @@ protected:
   {
     ASSERT_EQ (actual.size (), expected.size ());
     for (std::size_t i = 0; i < expected.size (); ++i)
-      ASSERT_TRUE (sameNormal (actual[i], expected[i])) << "output " << i << " is " << actual[i] << ", not " << expected[i];
+      ASSERT_TRUE (sameNormal (actual[i], expected[i]))
+          << "output " << i << " is " << actual[i] << ", not " << expected[i];
   }
 
   Shape shape_;

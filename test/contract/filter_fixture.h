@@ -76,7 +76,8 @@ protected:
     Cloud output = poisonedCloud<Point> ();
     filter.filter (output);
     expectEmpty (output);
-    EXPECT_TRUE (contains (filter.getErrorMessage (), part)) << "'" << filter.getErrorMessage () << "' without " << part;
+    EXPECT_TRUE (contains (filter.getErrorMessage (), part))
+        << "'" << filter.getErrorMessage () << "' without " << part;
     EXPECT_FALSE (filter.wasCancelled ());
   }
 

@@ -23,10 +23,11 @@ struct EIGEN_ALIGN16 ScannerPoint
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-POINT_CLOUD_REGISTER_POINT_STRUCT (
-    ScannerPoint,
-    (float, normal_x, normal_x) (float, normal_y, normal_y) (float, normal_z, normal_z) (std::uint16_t, ring, ring) (
-        float, curvature, curvature) (float, x, x) (float, y, y) (float, z, z))
+POINT_CLOUD_REGISTER_POINT_STRUCT (ScannerPoint,
+                                   (float, normal_x, normal_x) (float, normal_y, normal_y) (float, normal_z, normal_z) (
+                                       std::uint16_t,
+                                       ring,
+                                       ring) (float, curvature, curvature) (float, x, x) (float, y, y) (float, z, z))
 
 namespace
 {

@@ -14,7 +14,8 @@ protected:
   void
   replacePoints (const Vectors& points)
   {
-    this->cloud_ = makeCloud<typename FeatureBadInput::PointIn> (points, Vectors (points.size (), Eigen::Vector3f::UnitZ ()));
+    this->cloud_ =
+        makeCloud<typename FeatureBadInput::PointIn> (points, Vectors (points.size (), Eigen::Vector3f::UnitZ ()));
   }
 };
 

@@ -126,7 +126,8 @@ TYPED_TEST (FeatureRun, ASharedGraphGivesTheSameAndOneOfAnotherCloudIsRefused)
   this->expectError (feature, "search surface");
   feature.setSearchSurface (nullptr);
   const Shape ball = sphere (77, 1);
-  feature.setNeighborGraph (buildNeighborGraph<pcl::PointXYZ> (makeCloud<pcl::PointXYZ> (ball.points, ball.normals), 10));
+  feature.setNeighborGraph (
+      buildNeighborGraph<pcl::PointXYZ> (makeCloud<pcl::PointXYZ> (ball.points, ball.normals), 10));
   this->expectError (feature, "77");
 }
 

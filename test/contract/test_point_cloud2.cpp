@@ -40,14 +40,18 @@ protected:
   }
 
   static void
-  expectError (const pcl::PCLPointCloud2& cloud, const std::string& part, void (*set) (Smoothing&) = [] (Smoothing&) {})
+  expectError (
+      const pcl::PCLPointCloud2& cloud,
+      const std::string& part,
+      void (*set) (Smoothing&) = [] (Smoothing&) {})
   {
     Smoothing smoothing;
     prepare (smoothing, cloud);
     set (smoothing);
     pcl::PCLPointCloud2 output = poisonedBinaryCloud ();
     smoothing.filter (output);
-    EXPECT_TRUE (contains (smoothing.getErrorMessage (), part)) << "'" << smoothing.getErrorMessage () << "' without " << part;
+    EXPECT_TRUE (contains (smoothing.getErrorMessage (), part))
+        << "'" << smoothing.getErrorMessage () << "' without " << part;
     EXPECT_TRUE (output.data.empty ());
     EXPECT_EQ (output.width * output.height, 0u);
   }
@@ -146,7 +150,8 @@ TEST_F (PointCloud2Test, DoublesFarFromTheOriginMoveAsAtTheOrigin)
   const pcl::PCLPointCloud2 near_output = run (near_smoothing), far_output = run (far_smoothing);
   expectSameOtherFields (far_output, layout, makeBinaryCloud (layout, points_, far));
   for (std::size_t i = 0; i < points_.size (); ++i)
-    EXPECT_LT ((layout.position (far_output, i) - far - layout.position (near_output, i)).norm (), 1e-6) << "point " << i;
+    EXPECT_LT ((layout.position (far_output, i) - far - layout.position (near_output, i)).norm (), 1e-6)
+        << "point " << i;
   EXPECT_GT ((layout.position (far_output, 0) - far - points_[0].cast<double> ()).norm (), 1e-4);
 }
 

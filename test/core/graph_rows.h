@@ -32,8 +32,7 @@ rowsByPoint (const pcl_normal_smoothing::core::NeighborGraph& graph)
 inline Vectors
 byPoint (const Vectors& of_nodes, const pcl_normal_smoothing::core::NeighborGraph& graph)
 {
-  Vectors of_points (graph.cloudSize (),
-                     Eigen::Vector3f::Constant (std::numeric_limits<float>::quiet_NaN ()));
+  Vectors of_points (graph.cloudSize (), Eigen::Vector3f::Constant (std::numeric_limits<float>::quiet_NaN ()));
   for (std::size_t node = 0; node < of_nodes.size (); ++node)
     of_points[graph.order ()[node]] = of_nodes[node];
   return of_points;

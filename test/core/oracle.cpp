@@ -219,9 +219,10 @@ oracleHough (const Points& points, const std::vector<std::size_t>& row, int band
 {
   Eigen::Vector3d mean (0, 0, 0);
   for (std::uint64_t turn = 0; turn < 25; ++turn) {
-    const Eigen::Quaterniond rotation = Eigen::Quaterniond (gaussianNoise (70, 4 * turn), gaussianNoise (70, 4 * turn + 1),
-                                                            gaussianNoise (70, 4 * turn + 2), gaussianNoise (70, 4 * turn + 3))
-                                            .normalized ();
+    const Eigen::Quaterniond rotation =
+        Eigen::Quaterniond (gaussianNoise (70, 4 * turn), gaussianNoise (70, 4 * turn + 1),
+                            gaussianNoise (70, 4 * turn + 2), gaussianNoise (70, 4 * turn + 3))
+            .normalized ();
     std::map<std::pair<int, int>, std::pair<int, Eigen::Vector3d>> cells;
     auto winner = cells.end ();
     for (std::size_t a = 0; a < row.size (); ++a)

@@ -6,8 +6,8 @@
 #include <pcl_normal_smoothing/core/normal_filter.h>
 #include <pcl_normal_smoothing/core/point_update.h>
 
-// The stages of the method in double, as the paper's equations read and the design settles them: no speed, no cleverness,
-// and no code shared with the library but its names of options.
+// The stages of the method in double, as the paper's equations read and the design settles them: no speed, no
+// cleverness, and no code shared with the library but its names of options.
 namespace test_support
 {
 using Points = std::vector<Eigen::Vector3d>;
@@ -48,8 +48,8 @@ oracleUpdate (Points points,
               const Points& normals,
               const pcl_normal_smoothing::core::PointUpdateOptions& options);
 
-/** The mean normal of the fullest cell of \a bands bands of a sphere's half, every triple of the row voting once in each of
-  * many turned accumulators; the winners averaged. */
+/** The mean normal of the fullest cell of \a bands bands of a sphere's half, every triple of the row voting once in
+  * each of many turned accumulators; the winners averaged. */
 Eigen::Vector3d
 oracleHough (const Points& points, const std::vector<std::size_t>& row, int bands);
 } // namespace test_support

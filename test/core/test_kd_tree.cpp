@@ -38,8 +38,8 @@ protected:
   {
     const std::vector<IndexRow> rows = searchAll (cloud, query);
     for (std::uint32_t i = 0; i < cloud.size (); ++i)
-      ASSERT_EQ (rows[i], bruteForceRow (cloud, i, query)) << "point " << i << ", k " << query.k << ", radius "
-                                                           << query.radius;
+      ASSERT_EQ (rows[i], bruteForceRow (cloud, i, query))
+          << "point " << i << ", k " << query.k << ", radius " << query.radius;
   }
 };
 
@@ -138,8 +138,7 @@ TEST_P (KdTreeTest, SlotsAreAPermutation)
   EXPECT_EQ (order.size (), GetParam ().positions.size ());
 }
 
-INSTANTIATE_TEST_SUITE_P (Clouds,
-                          KdTreeTest,
-                          testing::ValuesIn (hardClouds ()),
-                          [] (const auto& cloud) { return cloud.param.name; });
+INSTANTIATE_TEST_SUITE_P (Clouds, KdTreeTest, testing::ValuesIn (hardClouds ()), [] (const auto& cloud) {
+  return cloud.param.name;
+});
 } // namespace

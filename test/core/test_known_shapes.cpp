@@ -96,7 +96,8 @@ TEST (Sphere, TheCompensatedUpdateDoesNotDriftAndThePapersDoes)
 TEST (Cylinder, TheCompensatedUpdateDoesNotDrift)
 {
   const Shape shape = cylinder (60, 60, 1, 6);
-  const Smoothed result = smoothed (asPositions (shape.points), 15, updateOnly (UpdateRule::COMPENSATED, 20), shape.normals);
+  const Smoothed result =
+      smoothed (asPositions (shape.points), 15, updateOnly (UpdateRule::COMPENSATED, 20), shape.normals);
   for (std::size_t i = 0; i < shape.size (); ++i) {
     const Eigen::Vector3f point = shape.points[i] + result.displacements[i];
     EXPECT_NEAR (std::hypot (point.x (), point.y ()), 1, 1e-4) << "point " << i;

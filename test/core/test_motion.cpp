@@ -68,8 +68,8 @@ protected:
     const Smoothed there = smoothed (asPositions (moved), GetParam ().k, options ());
     double sum_sq = 0, farthest = 0;
     for (std::size_t i = 0; i < cloud_.size (); ++i) {
-      const Eigen::Vector3d difference = back * there.displacements[i].cast<double> () -
-                                         here.displacements[i].cast<double> ();
+      const Eigen::Vector3d difference =
+          back * there.displacements[i].cast<double> () - here.displacements[i].cast<double> ();
       sum_sq += difference.squaredNorm ();
       farthest = std::max (farthest, difference.norm ());
     }
@@ -150,7 +150,8 @@ TEST_P (MotionTest, DoesNotDependOnTheThreadsOrTheOrder)
   for (const std::uint32_t i : order)
     shuffled.push_back (cloud_[i]);
   for (const unsigned threads : {2u, 4u}) {
-    EXPECT_EQ (smoothed (asPositions (cloud_), GetParam ().k, options (), {}, threads).displacements, one.displacements);
+    EXPECT_EQ (smoothed (asPositions (cloud_), GetParam ().k, options (), {}, threads).displacements,
+               one.displacements);
     const Smoothed other = smoothed (asPositions (shuffled), GetParam ().k, options (), {}, threads);
     for (std::size_t i = 0; i < order.size (); ++i)
       ASSERT_EQ (other.displacements[i], one.displacements[order[i]]) << "point " << order[i];

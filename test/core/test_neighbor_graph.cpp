@@ -79,10 +79,9 @@ TEST_P (NeighborGraphTest, RebuiltAfterMotionItFindsTheMovedNeighbours)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P (Clouds,
-                          NeighborGraphTest,
-                          testing::ValuesIn (hardClouds ()),
-                          [] (const auto& cloud) { return cloud.param.name; });
+INSTANTIATE_TEST_SUITE_P (Clouds, NeighborGraphTest, testing::ValuesIn (hardClouds ()), [] (const auto& cloud) {
+  return cloud.param.name;
+});
 
 TEST (NeighborGraph, LeavesOutPointsThatAreNotFinite)
 {

@@ -68,7 +68,8 @@ TEST (ParallelFor, ReportsProgressThatNeverFallsAndEndsAtOne)
       shares.push_back (share);
       return true;
     };
-    parallelFor (10000, Execution (threads, progress), [] (std::size_t, std::size_t) {}, 10);
+    parallelFor (
+        10000, Execution (threads, progress), [] (std::size_t, std::size_t) {}, 10);
     ASSERT_FALSE (shares.empty ());
     EXPECT_TRUE (std::is_sorted (shares.begin (), shares.end ()));
     EXPECT_GT (shares.front (), 0);
@@ -94,7 +95,9 @@ TEST (ParallelFor, StopsWhereTheCallbackSaysSo)
   for (const unsigned threads : {1u, 2u, 4u}) {
     std::atomic<int> ranges {0};
     const Execution execution (threads, [] (double share) { return share < 0.1; });
-    EXPECT_THROW (parallelFor (100000, execution, [&] (std::size_t, std::size_t) { ++ranges; }, 10), Cancelled);
+    EXPECT_THROW (parallelFor (
+                      100000, execution, [&] (std::size_t, std::size_t) { ++ranges; }, 10),
+                  Cancelled);
     EXPECT_LE (ranges, 10000);
     EXPECT_TRUE (threads > 1 || ranges == 1000) << ranges;
   }
@@ -103,6 +106,8 @@ TEST (ParallelFor, StopsWhereTheCallbackSaysSo)
 TEST (ParallelFor, AnExceptionOfTheCallbackReachesTheCaller)
 {
   const Execution execution (2, [] (double) -> bool { throw std::runtime_error ("the window is gone"); });
-  EXPECT_THROW (parallelFor (1000, execution, [] (std::size_t, std::size_t) {}, 10), std::runtime_error);
+  EXPECT_THROW (parallelFor (
+                    1000, execution, [] (std::size_t, std::size_t) {}, 10),
+                std::runtime_error);
 }
 } // namespace

@@ -61,8 +61,7 @@ protected:
 
   const Shape shape_ = torus (1200, 1, 0.4);
   const Vectors cloud_ = withNoise (shape_.points, 0.02, 60);
-  const Vectors normals_ =
-      GetParam ().oriented ? shape_.normals : withRandomSigns (shape_.normals, 61);
+  const Vectors normals_ = GetParam ().oriented ? shape_.normals : withRandomSigns (shape_.normals, 61);
 };
 
 TEST_P (PointUpdateTest, AgreesWithTheOracle)
@@ -170,7 +169,8 @@ TEST (PointUpdate, RefusesOptionsOutOfRange)
   };
   refused ([] (auto& options) { options.iterations = -3; }, "-3");
   refused ([] (auto& options) { options.search_interval = -2; }, "-2");
-  for (const auto& [value, name] : {std::pair (-0.25f, "-0.25"), std::pair (0.0f, "0.0"), std::pair (nan_float, "nan")}) {
+  for (const auto& [value, name] :
+       {std::pair (-0.25f, "-0.25"), std::pair (0.0f, "0.0"), std::pair (nan_float, "nan")}) {
     refused ([v = value] (auto& options) { options.sigma_s = v; }, name);
     refused ([v = value] (auto& options) { options.max_displacement = v; }, name);
   }

@@ -120,7 +120,10 @@ TEST_P (AnySurfaceTest, QueriesOnASurfaceGiveWhatTheGraphGives)
   const auto of_graph = surfacesByPoint (cloud, GetParam (), 9);
   const auto of_queries = querySurfaces (cloud, cloud, {9, no_radius}, makeEstimator (GetParam (), {}), Execution (2));
   const auto of_search = querySurfaces (
-      cloud, cloud, [&] (std::size_t i, auto& found) { found = bruteForceRow (cloud, std::uint32_t (i), {9, no_radius}); },
+      cloud, cloud,
+      [&] (std::size_t i, auto& found) {
+        found = bruteForceRow (cloud, std::uint32_t (i), {9, no_radius});
+      },
       makeEstimator (GetParam (), {}), Execution (2));
   for (std::size_t i = 0; i < cloud.size (); ++i) {
     EXPECT_EQ (of_queries[i].normal, of_graph[i].normal) << "point " << i;
