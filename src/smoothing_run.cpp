@@ -5,8 +5,9 @@ namespace pcl_normal_smoothing
 {
 SmoothingRun::SmoothingRun (const core::SmoothingOptions& options,
                             const VectorView& positions,
-                            const pcl::Indices& indices)
-: options_ (options), selected_ (selectPoints (indices, positions.size)), cloud_ (readPositions (positions))
+                            const pcl::Indices& indices,
+                            const core::Execution& execution)
+: options_ (options), selected_ (selectPoints (indices, positions.size)), cloud_ (readPositions (positions, execution))
 {
   core::check (options);
 }
@@ -18,7 +19,7 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
                       const core::Execution& execution)
 {
   graph_ = graph;
-  core::Positions nodes = core::gather (cloud_, graph->order ());
+  core::Positions nodes = core::gather (cloud_, graph->order (), execution.part (0, 0));
   cloud_ = {}; // the nodes are a copy: keep the peak of memory low
   displacements_ = nodes.offset;
   if (normals)

@@ -69,16 +69,16 @@ VectorLayout::set (std::uint8_t* data, std::size_t i, const Eigen::Vector3d& val
 }
 
 core::Positions
-readPositions (const VectorView& view)
+readPositions (const VectorView& view, const core::Execution& execution)
 {
-  core::Positions positions;
-  positions.base.reserve (view.size);
-  positions.offset.reserve (view.size);
-  for (std::size_t i = 0; i < view.size; ++i) {
-    const Eigen::Vector3d position = view.layout.get (view.data, i);
-    positions.base.push_back (position.cast<float> ());
-    positions.offset.push_back ((position - positions.base.back ().cast<double> ()).cast<float> ());
-  }
+  core::Positions positions {core::Vectors (view.size), core::Vectors (view.size)};
+  core::parallelFor (view.size, execution, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d position = view.layout.get (view.data, i);
+      positions.base[i] = position.cast<float> ();
+      positions.offset[i] = (position - positions.base[i].cast<double> ()).cast<float> ();
+    }
+  });
   return positions;
 }
 

@@ -13,7 +13,10 @@ class SmoothingRun
 {
 public:
   /** \throw core::Error where an option or an index is out of range */
-  SmoothingRun (const core::SmoothingOptions& options, const VectorView& positions, const pcl::Indices& indices);
+  SmoothingRun (const core::SmoothingOptions& options,
+                const VectorView& positions,
+                const pcl::Indices& indices,
+                const core::Execution& execution);
 
   /** The positions of the whole cloud. */
   const core::Positions&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/parallel_for.h>
 #include <pcl_normal_smoothing/core/positions.h>
 
 #include <pcl/PCLPointCloud2.h>
@@ -109,7 +110,7 @@ normalsOf (const pcl::PointCloud<PointT>& cloud)
 }
 
 core::Positions
-readPositions (const VectorView& positions);
+readPositions (const VectorView& positions, const core::Execution& execution = core::Execution (1));
 
 /** The normals of the points \a order names, at length 1; NaN where one is not finite or zero. */
 core::Vectors

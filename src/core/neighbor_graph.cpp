@@ -13,15 +13,15 @@ namespace pcl_normal_smoothing
 namespace core
 {
 Positions
-gather (const Positions& positions, const std::vector<std::uint32_t>& order)
+gather (const Positions& positions, const std::vector<std::uint32_t>& order, const Execution& execution)
 {
-  Positions result;
-  result.base.reserve (order.size ());
-  result.offset.reserve (order.size ());
-  for (const std::uint32_t i : order) {
-    result.base.push_back (positions.base[i]);
-    result.offset.push_back (positions.offset[i]);
-  }
+  Positions result {Vectors (order.size ()), Vectors (order.size ())};
+  parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      result.base[i] = positions.base[order[i]];
+      result.offset[i] = positions.offset[order[i]];
+    }
+  });
   return result;
 }
 
@@ -149,7 +149,7 @@ NeighborGraph::build (const Positions& cloud, const NeighborQuery& query, const 
   graph->order_ = finiteElements (cloud);
   if (graph->order_.empty ())
     return graph;
-  const KdTree tree (gather (cloud, graph->order_), graph->order_, execution);
+  const KdTree tree (gather (cloud, graph->order_, execution.part (0, 0)), graph->order_, execution);
   std::vector<std::uint32_t> order (graph->size ());
   std::transform (tree.order ().begin (), tree.order ().end (), order.begin (),
                   [&] (std::uint32_t element) { return graph->order_[element]; });

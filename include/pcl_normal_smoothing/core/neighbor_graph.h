@@ -109,7 +109,9 @@ private:
 
 /** The elements of \a positions that \a order names, in that order. */
 Positions
-gather (const Positions& positions, const std::vector<std::uint32_t>& order);
+gather (const Positions& positions,
+        const std::vector<std::uint32_t>& order,
+        const Execution& execution = Execution (1));
 
 /** Numbers of the positions whose three coordinates are finite. */
 std::vector<std::uint32_t>
