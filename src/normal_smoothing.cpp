@@ -81,7 +81,7 @@ NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
     normals = VectorView {requireNormals (*input_, ": estimate normals first, or choose another normal source"),
                           input_->data.data (), size};
 
-  SmoothingRun run (options, {layout, input_->data.data (), size}, *indices_, execution ().part (0, 0));
+  SmoothingRun run (options, {layout, input_->data.data (), size}, *indices_, execution ().silent ());
   pcl::PointCloud<pcl::PointXYZ>::Ptr searched;
   if (search_)
     searched = xyzCloud (run.cloud ());

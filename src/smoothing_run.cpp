@@ -19,7 +19,7 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
                       const core::Execution& execution)
 {
   graph_ = graph;
-  core::Positions nodes = core::gather (cloud_, graph->order (), execution.part (0, 0));
+  core::Positions nodes = core::gather (cloud_, graph->order (), execution.silent ());
   cloud_ = {}; // the nodes are a copy: keep the peak of memory low
   displacements_ = nodes.offset;
   if (normals)

@@ -149,7 +149,7 @@ NeighborGraph::build (const Positions& cloud, const NeighborQuery& query, const 
   graph->order_ = finiteElements (cloud);
   if (graph->order_.empty ())
     return graph;
-  const KdTree tree (gather (cloud, graph->order_, execution.part (0, 0)), graph->order_, execution);
+  const KdTree tree (gather (cloud, graph->order_, execution.silent ()), graph->order_, execution);
   std::vector<std::uint32_t> order (graph->size ());
   std::transform (tree.order ().begin (), tree.order ().end (), order.begin (),
                   [&] (std::uint32_t element) { return graph->order_[element]; });

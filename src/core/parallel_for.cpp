@@ -27,6 +27,14 @@ Execution::part (double from, double to, double of) const
   return result;
 }
 
+Execution
+Execution::silent () const
+{
+  Execution result = *this;
+  result.progress_ = nullptr;
+  return result;
+}
+
 void
 Execution::report (double done) const
 {

@@ -24,6 +24,10 @@ public:
   Execution
   part (double from, double to, double of = 1) const;
 
+  /** The same threads, reporting nothing: for steps that take no time to speak of. */
+  Execution
+  silent () const;
+
   /** \throw Cancelled if the callback asks to stop
     * \param[in] done share of this execution's work, 0 to 1 */
   void

@@ -14,10 +14,10 @@ BilateralNormalFilter<PointT>::run (NeighborGraph::ConstPtr& graph)
   core::check (options_);
   const VectorView input_normals = chooseNormals (*this->input_, input_normals_);
   const core::Execution execution = this->execution ();
-  const core::Positions cloud = readPositions (positionsOf (*this->input_), execution.part (0, 0));
+  const core::Positions cloud = readPositions (positionsOf (*this->input_), execution.silent ());
   graph = this->obtainGraph (this->filter_name_, cloud, [this] { return this->input_; }, execution.part (0, 0.7));
   core::Vectors normals = readNormals (input_normals, graph->order ());
-  core::filterNormals (*graph, gather (cloud, graph->order (), execution.part (0, 0)), options_, execution.part (0.7, 1), normals);
+  core::filterNormals (*graph, gather (cloud, graph->order (), execution.silent ()), options_, execution.part (0.7, 1), normals);
   return normals;
 }
 

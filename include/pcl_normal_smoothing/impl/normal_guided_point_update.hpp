@@ -19,9 +19,9 @@ NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
     const core::Execution execution = this->execution ();
     const auto input = [this] { return this->input_; };
 
-    const core::Positions cloud = readPositions (positionsOf (*this->input_), execution.part (0, 0));
+    const core::Positions cloud = readPositions (positionsOf (*this->input_), execution.silent ());
     const auto graph = this->obtainGraph (this->filter_name_, cloud, input, execution.part (0, 0.7));
-    core::Positions nodes = gather (cloud, graph->order (), execution.part (0, 0));
+    core::Positions nodes = gather (cloud, graph->order (), execution.silent ());
     const core::Vectors start = nodes.offset;
     const core::Research research =
         options_.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();

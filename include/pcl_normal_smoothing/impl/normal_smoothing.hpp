@@ -21,7 +21,7 @@ NormalSmoothing<PointT>::applyFilter (PointCloud& output)
     const auto input = [this] { return this->input_; };
     const core::Execution execution = this->execution ();
 
-    SmoothingRun run (options, positionsOf (*this->input_), *this->indices_, execution.part (0, 0));
+    SmoothingRun run (options, positionsOf (*this->input_), *this->indices_, execution.silent ());
     const auto graph = this->obtainGraph (this->filter_name_, run.cloud (), input, execution.part (0, 0.5));
     const auto research = options.update.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();
     run.smooth (graph, normals, research, execution.part (0.5, 1));

@@ -77,7 +77,7 @@ std::vector<core::LocalSurface>
 SurfaceNormalEstimation<PointInT, PointOutT>::estimateOverGraph (const core::SurfaceEstimator& estimator)
 {
   const core::Execution run = execution ();
-  const core::Positions cloud = readPositions (positionsOf (*this->input_), run.part (0, 0));
+  const core::Positions cloud = readPositions (positionsOf (*this->input_), run.silent ());
   NeighborGraph::ConstPtr graph;
   if (neighbor_graph_) {
     graph = fittingGraph (cloud);
@@ -90,7 +90,7 @@ SurfaceNormalEstimation<PointInT, PointOutT>::estimateOverGraph (const core::Sur
                         : NeighborGraph::build (cloud, query, run.part (0, 0.8));
     checkPointCount (this->feature_name_, graph->size (), query.k);
   }
-  const auto of_nodes = core::estimateSurfaces (*graph, gather (cloud, graph->order (), run.part (0, 0)), estimator, run.part (0.8, 1));
+  const auto of_nodes = core::estimateSurfaces (*graph, gather (cloud, graph->order (), run.silent ()), estimator, run.part (0.8, 1));
   std::vector<core::LocalSurface> of_points (cloud.size (), core::LocalSurface::invalid ());
   for (std::size_t node = 0; node < of_nodes.size (); ++node)
     of_points[graph->order ()[node]] = of_nodes[node];

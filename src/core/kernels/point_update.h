@@ -10,17 +10,42 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** 1 / (2 sigma_c^2) of eq. 9, sigma_c the distance of the farthest neighbour now; 0 where that is 0. */
-LANES_INLINE Lanes
-reachFactor (const Points& points, const BlockRows& rows, const std::uint32_t* own)
+/** The way to all neighbours of the lanes' points, kept where there is room: it is needed twice. */
+class Differences
 {
-  Lanes farthest = {};
-  for (std::size_t j = 1; j < rows.length; ++j) {
-    const Lanes3 difference = points.difference (own + 16 * j);
-    farthest = maximum (farthest, dot (difference, difference));
+public:
+  LANES_INLINE
+  Differences (const Points& points, const BlockRows& rows, const std::uint32_t* own)
+  : points_ (points), own_ (own), kept_ (rows.length <= max_fit_neighbors)
+  {
+    for (std::size_t j = 1; j < rows.length; ++j) {
+      const Lanes3 difference = points.difference (own + 16 * j);
+      if (kept_)
+        differences_[j] = difference;
+      farthest_ = maximum (farthest_, dot (difference, difference));
+    }
   }
-  return farthest > 0 ? 1 / (2 * farthest) : splat (0);
-}
+
+  LANES_INLINE Lanes3
+  operator[] (std::size_t j) const
+  {
+    return kept_ ? differences_[j] : points_.difference (own_ + 16 * j);
+  }
+
+  /** 1 / (2 sigma_c^2) of eq. 9, sigma_c the distance of the farthest neighbour now; 0 where that is 0. */
+  LANES_INLINE Lanes
+  reachFactor () const
+  {
+    return farthest_ > 0 ? 1 / (2 * farthest_) : splat (0);
+  }
+
+private:
+  const Points& points_;
+  const std::uint32_t* own_;
+  bool kept_;
+  Lanes farthest_ = {};
+  Lanes3 differences_[max_fit_neighbors];
+};
 
 /** One iteration of eq. 8 (Sun et al. 2007), or of its compensated form; robust: with a weight for the height of the
   * neighbour too. */
@@ -31,12 +56,13 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
   const Lanes3 own_normal = load3 (step.nodes.normals, own);
-  const Lanes reach_factor = reachFactor (points, rows, own) * step.reach_scale;
+  const Differences differences (points, rows, own);
+  const Lanes reach_factor = differences.reachFactor () * step.reach_scale;
   Lanes3 sum = {};
   Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself: it adds nothing above
   for (std::size_t j = 1; j < rows.length; ++j) {
     const std::uint32_t* neighbor = own + 16 * j;
-    const Lanes3 difference = points.difference (neighbor);
+    const Lanes3 difference = differences[j];
     Lanes3 normal = load3 (step.nodes.normals, neighbor);
     const Lanes x = 1 - turn (normal, own_normal, step.oriented);
     // Eq. 8, in which the signs of both n_j cancel; or along the mean of both normals.

@@ -35,8 +35,9 @@ averagingWeights (const StepControl& control, const BlockRows& rows, int first)
     const Lanes x = 1 - turn (normal, own_normal, control.oriented);
     const Lanes exponent = 0.5f * dot (local.at[j], local.at[j]) + x * 2.0408163f; // |n_i - n_j|^2 / (2 .7^2)
     const Lanes weight = x == x ? local.one[j] * bell (exponent) : splat (0);
-    for (int lane = 0; lane < lane_count; ++lane)
-      weights[16 * j + static_cast<std::size_t> (lane)] = static_cast<std::uint8_t> (weight[lane] * 255.0f + 0.5f);
+    const Mask rounded = __builtin_convertvector (weight * 255.0f + 0.5f, Mask);
+    const Bytes bytes = __builtin_convertvector (rounded, Bytes);
+    std::memcpy (weights + 16 * j, &bytes, sizeof bytes);
   }
 }
 
