@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shapes.h"
+
+#include <pcl_normal_smoothing/normal_smoothing.h>
+#include <pcl_normal_smoothing/surface_noise_estimation.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace
+{
+using namespace pcl_normal_smoothing;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+constexpr float spacing = 0.01f;
+constexpr double sigma = 0.2 * 0.01;
+
+/** A plane with noise along its normal. */
+Cloud::Ptr
+noisyPlane ()
+{
+  const test_support::Shape plane = test_support::planeGrid (60, spacing);
+  auto cloud = pcl::make_shared<Cloud> ();
+  for (std::size_t i = 0; i < plane.size (); ++i)
+    cloud->emplace_back (plane.points[i].x (), plane.points[i].y (),
+                         static_cast<float> (sigma * test_support::gaussianNoise (1, i)));
+  return cloud;
+}
+
+TEST (SurfaceNoiseEstimationTest, ReadsNoiseAndSpacing)
+{
+  SurfaceNoiseEstimation<pcl::PointXYZ> noise;
+  noise.setInputCloud (noisyPlane ());
+  ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+  EXPECT_NEAR (noise.getSigma (), sigma, 0.3 * sigma);
+  EXPECT_NEAR (noise.getSpacing (), spacing, 0.2 * spacing);
+}
+
+TEST (SurfaceNoiseEstimationTest, IndexedPointsAloneAreTheCloud)
+{
+  const Cloud::Ptr cloud = noisyPlane ();
+  const std::size_t size = cloud->size ();
+  auto indices = pcl::make_shared<pcl::Indices> ();
+  for (std::size_t i = 0; i < size; ++i) { // a clean plane above the noisy one
+    indices->push_back (static_cast<pcl::index_t> (cloud->size ()));
+    cloud->emplace_back ((*cloud)[i].x, (*cloud)[i].y, 1.0f);
+  }
+  SurfaceNoiseEstimation<pcl::PointXYZ> noise;
+  noise.setInputCloud (cloud);
+  noise.setIndices (indices);
+  ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+  EXPECT_LT (noise.getSigma (), 0.01 * sigma);
+}
+
+TEST (SurfaceNoiseEstimationTest, BadInputIsAnErrorAndGivesZero)
+{
+  SurfaceNoiseEstimation<pcl::PointXYZ> noise;
+  EXPECT_FALSE (noise.compute ());
+  EXPECT_FALSE (noise.getErrorMessage ().empty ());
+  auto cloud = pcl::make_shared<Cloud> ();
+  cloud->emplace_back (std::numeric_limits<float>::quiet_NaN (), 0.0f, 0.0f);
+  noise.setInputCloud (cloud);
+  EXPECT_FALSE (noise.compute ());
+  EXPECT_EQ (noise.getSigma (), 0);
+  EXPECT_EQ (noise.getSpacing (), 0);
+}
+
+TEST (SmoothingSettingsTest, WhatWasEstimatedGivesTheSameResultWhenItIsSet)
+{
+  const Cloud::Ptr cloud = noisyPlane ();
+  for (const auto preset : {SmoothingPreset::DEFAULT, SmoothingPreset::FAST}) {
+    NormalSmoothing<pcl::PointXYZ> first, second;
+    Cloud expected, actual;
+    first.setPreset (preset);
+    first.setInputCloud (cloud);
+    first.filter (expected);
+    second.setPreset (preset);
+    second.setNoiseSigma (first.usedOptions ().rounds.noise.sigma);
+    second.setPointSpacing (first.usedOptions ().rounds.noise.spacing);
+    second.setMaxDisplacement (first.usedOptions ().rounds.max_displacement);
+    second.setInputCloud (cloud);
+    second.filter (actual);
+    ASSERT_EQ (actual.size (), expected.size ());
+    for (std::size_t i = 0; i < actual.size (); ++i)
+      ASSERT_EQ (actual[i].getVector3fMap (), expected[i].getVector3fMap ()) << i;
+  }
+}
+} // namespace
