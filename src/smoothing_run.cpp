@@ -24,8 +24,8 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
   displacements_ = nodes.offset;
   if (normals)
     normals_ = readNormals (*normals, graph->order ());
-  core::estimateOptions (*graph, nodes, core::Execution (static_cast<unsigned> (execution.threads ())), options_);
-  core::smooth (graph, options_, research, execution, nodes, normals_);
+  core::prepareSmoothing (nodes, normals_, execution.silent (), graph_, options_);
+  core::smooth (graph_, options_, research, execution, nodes, normals_);
   for (std::size_t node = 0; node < nodes.size (); ++node)
     displacements_[node] = nodes.offset[node] - displacements_[node];
 }

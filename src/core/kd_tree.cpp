@@ -17,9 +17,8 @@ KdTree::KdTree (const Positions& positions, const std::vector<std::uint32_t>& ra
 {
   while (positions.size () > max_leaf_size * leaf_count_)
     leaf_count_ *= 2;
-  has_offset_ = !std::all_of (positions.offset.begin (), positions.offset.end (), [] (const auto& v) {
-    return v.x () == 0 && v.y () == 0 && v.z () == 0;
-  });
+  has_offset_ = !std::all_of (positions.offset.begin (), positions.offset.end (),
+                              [] (const auto& v) { return v.x () == 0 && v.y () == 0 && v.z () == 0; });
   if (has_offset_)
     chooseOrigin (positions);
 
@@ -65,8 +64,7 @@ KdTree::split (std::vector<BuildPoint>& points, const Execution& execution)
   for (std::size_t level_size = 1; level_size <= leaf_count_; level_size *= 2) {
     const std::size_t first = level_size - 1;
     parallelFor (
-        level_size,
-        execution.part (0, 0),
+        level_size, execution.part (0, 0),
         [&] (std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i)
             splitNode (first + i, points);

@@ -43,8 +43,7 @@ void
 KdTree::searchAll (const NeighborQuery& query, const Execution& execution, const RowVisitor& visit) const
 {
   parallelFor (
-      leaf_count_,
-      execution,
+      leaf_count_, execution,
       [&] (std::size_t begin, std::size_t end) {
         Scratch scratch;
         for (std::size_t leaf = begin; leaf < end; ++leaf)
@@ -167,10 +166,7 @@ KdTree::gatherCandidates (const Box& box, float reach, Scratch& scratch) const
 }
 
 void
-KdTree::selectNearest (const CandidateQuery& query,
-                       std::uint32_t excluded,
-                       std::size_t count,
-                       Scratch& scratch) const
+KdTree::selectNearest (const CandidateQuery& query, std::uint32_t excluded, std::size_t count, Scratch& scratch) const
 {
   Candidates candidates {};
   candidates.count = scratch.slots.size ();

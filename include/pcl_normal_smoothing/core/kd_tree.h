@@ -23,13 +23,13 @@ public:
   /** What the queries of one thread reuse. */
   struct Scratch
   {
-    std::vector<std::uint32_t> nodes;          // still to visit
-    std::vector<std::uint32_t> slots;          // of the candidates
-    std::array<std::vector<float>, 3> base;    // likewise
-    std::array<std::vector<float>, 3> offset;  // likewise
-    std::vector<std::uint32_t> selected;       // candidates within the bound
-    std::vector<float> sq_dists;               // their squared distances
-    std::vector<std::int32_t> ranks;           // how many are smaller
+    std::vector<std::uint32_t> nodes;         // still to visit
+    std::vector<std::uint32_t> slots;         // of the candidates
+    std::array<std::vector<float>, 3> base;   // likewise
+    std::array<std::vector<float>, 3> offset; // likewise
+    std::vector<std::uint32_t> selected;      // candidates within the bound
+    std::vector<float> sq_dists;              // their squared distances
+    std::vector<std::int32_t> ranks;          // how many are smaller
     std::vector<Neighbor> row;
   };
 
@@ -127,7 +127,7 @@ private:
   std::array<std::vector<float>, 3> offset_;
   bool has_offset_ = false;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero (); // of the tree's coordinates, which decide only where to look
-  float slack_ = 0;                        // bound of the rounding of a distance between boxes, per axis
+  float slack_ = 0;                                   // bound of the rounding of a distance between boxes, per axis
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -25,7 +25,7 @@ struct Neighbor
   std::uint32_t slot; // where the searched structure keeps it
 
   bool
-  operator< (const Neighbor& other) const
+  operator<(const Neighbor& other) const
   {
     return sq_dist < other.sq_dist || (sq_dist == other.sq_dist && rank < other.rank);
   }

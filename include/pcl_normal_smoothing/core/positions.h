@@ -86,7 +86,8 @@ struct Positions
 class Row
 {
 public:
-  Row (const std::uint32_t* first, std::size_t size, std::size_t stride) : first_ (first), size_ (size), stride_ (stride)
+  Row (const std::uint32_t* first, std::size_t size, std::size_t stride)
+  : first_ (first), size_ (size), stride_ (stride)
   {}
 
   std::size_t
