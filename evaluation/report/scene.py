@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of surfaces and points by VTK, all through one camera."""
+
+import numpy
+import vtkmodules.vtkInteractionStyle  # noqa: F401 (registers)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (registers)
+from matplotlib import colormaps
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+
+PLAIN = (0.83, 0.84, 0.86)
+
+
+class View:
+    """A parallel camera that looks at points: direction looked along, up, centre, and half the size of what is seen."""
+
+    def __init__(self, points, looking, up, margin=1.04):
+        self.looking = numpy.asarray(looking) / numpy.linalg.norm(looking)
+        self.right = numpy.cross(self.looking, up)
+        self.right /= numpy.linalg.norm(self.right)
+        self.up = numpy.cross(self.right, self.looking)
+        across, upward = points @ self.right, points @ self.up
+        depth = points @ self.looking
+        middle = [(values.min() + values.max()) / 2 for values in (across, upward, depth)]
+        self.centre = middle[0] * self.right + middle[1] * self.up + middle[2] * self.looking
+        self.half_width = max(numpy.ptp(across), 1e-12) / 2 * margin
+        self.half_height = max(numpy.ptp(upward), 1e-12) / 2 * margin
+        self.depth = max(numpy.ptp(depth), self.half_height, 1e-12)
+
+    def aspect(self):
+        """Width over height, within what fits a page."""
+        return min(max(self.half_width / self.half_height, 0.6), 2.2)
+
+
+def view_of(points):
+    """Looks at the broad side of a shape, from a little above and aside."""
+    _, axes = numpy.linalg.eigh(numpy.cov(points.T))
+    thin, upward, long = (axes[:, i] * numpy.sign(axes[numpy.abs(axes[:, i]).argmax(), i]) for i in range(3))
+    return View(points, -(0.82 * thin + 0.32 * upward + 0.38 * long), upward)
+
+
+class Stage:
+    """One off-screen window; draw() gives pictures as arrays. Close it before its display goes."""
+
+    def __init__(self, height=560):
+        self.height = height
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetMultiSamples(8)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.window.Finalize()
+
+    def draw(self, actors, view):
+        """An array, height x width x 3, white behind."""
+        renderer = vtkRenderer()
+        renderer.SetBackground(1, 1, 1)
+        renderer.AutomaticLightCreationOff()
+        for place, strength in (((-0.5, 0.7, 1), 0.85), ((0.9, 0.1, 0.6), 0.3)):
+            light = vtkLight()
+            light.SetLightTypeToCameraLight()
+            light.SetPosition(*place)
+            light.SetFocalPoint(0, 0, 0)
+            light.SetIntensity(strength)
+            renderer.AddLight(light)
+        for actor in actors:
+            renderer.AddActor(actor)
+        self._aim(renderer, view)
+        self.window.AddRenderer(renderer)
+        self.window.SetSize(int(self.height * view.aspect()), self.height)
+        self.window.Render()
+        image = self._grab()
+        self.window.RemoveRenderer(renderer)
+        return image
+
+    def _aim(self, renderer, view):
+        camera = renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetFocalPoint(*view.centre)
+        camera.SetPosition(*(view.centre - 4 * view.depth * view.looking))
+        camera.SetViewUp(*view.up)
+        camera.SetParallelScale(max(view.half_height, view.half_width / view.aspect()))
+        renderer.ResetCameraClippingRange()
+
+    def _grab(self):
+        grabber = vtkWindowToImageFilter()
+        grabber.SetInput(self.window)
+        grabber.ReadFrontBufferOff()
+        grabber.Update()
+        image = grabber.GetOutput()
+        width, height, _ = image.GetDimensions()
+        return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].copy()
+
+
+def coloured(data, values=None, limits=(0, 1), colours="viridis", flat=True):
+    """An actor of polygon data, coloured by a value a point, or plain."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    if values is not None:
+        scalars = numpy_to_vtk(numpy.ascontiguousarray(values, dtype=numpy.float32), deep=True)
+        data.GetPointData().SetScalars(scalars)
+        mapper.ScalarVisibilityOn()
+        mapper.SetLookupTable(_table(colours, limits))
+        mapper.UseLookupTableScalarRangeOn()
+        mapper.InterpolateScalarsBeforeMappingOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetColor(*PLAIN)
+    look.SetAmbient(0.22)
+    look.SetDiffuse(0.8)
+    look.SetSpecular(0.05)
+    if flat:
+        look.SetInterpolationToFlat()
+    return actor
+
+
+def _table(colours, limits):
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    table.SetRange(*limits)
+    for index, colour in enumerate(colormaps[colours](numpy.linspace(0, 1, 256))):
+        table.SetTableValue(index, *colour)
+    table.Build()
+    return table
