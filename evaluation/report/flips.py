@@ -15,7 +15,7 @@ from panels import Panel, save
 from running import ToolTrouble, run
 from scene import View, coloured
 
-K, ITERATIONS, WORST_DEGREES = 15, 4, 40
+K, ITERATIONS, WORST_DEGREES = 7, 4, 40
 
 
 def add(study, page, folder, stage, tools):

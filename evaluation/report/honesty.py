@@ -119,7 +119,7 @@ def _course(study, folder):
         axes[1, column].minorticks_off()
     axes[0, 0].set_ylabel("E_A")
     axes[1, 0].set_ylabel("p2s ratio")
-    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
+    style.legend_below(figure, axes[0, 0], 3)
     return style.save(figure, folder, "area_course")
 
 

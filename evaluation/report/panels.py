@@ -4,6 +4,7 @@
 import math
 
 import matplotlib.pyplot as plt
+import numpy
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
@@ -27,8 +28,9 @@ def save(panels, folder, name, columns=4, width=2.75, aspect=1.3, bar=None):
     )
     for axis in axes.flat:
         axis.set_axis_off()
+    blank = numpy.full((100, int(100 * aspect), 3), 255, numpy.uint8)
     for axis, panel in zip(axes.flat, panels):
-        _draw(axis, panel)
+        _draw(axis, panel, blank)
     if bar:
         colours, limits, label = bar
         mappable = ScalarMappable(Normalize(*limits), colours)
@@ -40,11 +42,10 @@ def save(panels, folder, name, columns=4, width=2.75, aspect=1.3, bar=None):
     return style.save(figure, folder, name, dpi=200)
 
 
-def _draw(axis, panel):
+def _draw(axis, panel, blank):
     axis.set_title(panel.title, loc="center", fontsize=9, pad=3)
-    if panel.image is not None:
-        axis.imshow(panel.image, interpolation="antialiased")
-    else:
+    axis.imshow(blank if panel.image is None else panel.image, interpolation="antialiased")
+    if panel.image is None:
         axis.text(0.5, 0.5, f"gap\n{_wrapped(panel.reason)}", transform=axis.transAxes, ha="center", va="center", color="#8a8a8a", fontsize=7, style="italic")
     if panel.below:
         axis.text(0.5, -0.02, panel.below, transform=axis.transAxes, ha="center", va="top", fontsize=7.5, color="#444444")

@@ -79,7 +79,7 @@ def add_mean_errors(study, page, folder):
             _mean_errors(axes[row, column], study, noise, measure)
             axes[row, column].set_title(f"{title}, {noise}")
         axes[2, column].set_xticks(range(len(style.METHODS)), [method + "U" for method in style.METHODS])
-    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=5)
+    style.legend_below(figure, axes[0, 0], 5)
     path = style.save(figure, folder, "fig7")
     page.figure(
         path, "Fig. 7: mean over 3 neighbourhoods and 20 choices of iterations. Bars: mean over the models; marks: each model (logarithmic scale)."

@@ -31,7 +31,7 @@ def add(page, folder, stage, tools, scan):
         page.gap("Fig. 9", str(error))
         return
     raw = clouds[0][1]
-    view, radius = scan_view(raw), 0.75 * geometry.spacing(raw)
+    view, radius = scan_view(raw), 0.62 * geometry.spacing(raw, 4)
     panels = [Panel(title, stage.draw([_discs(points, normals, radius)], view)) for title, points, normals in clouds]
     image = save(panels, folder, "fig9", columns=3, width=3.7, aspect=view.aspect())
     page.figure(
@@ -56,13 +56,13 @@ def _cloud(scan, preset, tools, work):
 
 
 def scan_view(points):
-    """From a depth camera's place where all points lie before it (z forward, y down), else along -z with y up. The farthest
-    and outermost hundredth does not count for the frame."""
-    low, high = numpy.percentile(points, [0.5, 99.5], axis=0)
+    """From a depth camera's place where all points lie before it (z forward, y down), else along -z with y up. The
+    outermost thousandth does not count for the frame."""
+    low, high = numpy.percentile(points, [0.1, 99.9], axis=0)
     inner = points[((points >= low) & (points <= high)).all(axis=1)]
     if (points[:, 2] > 0).all():
-        return View(inner, (0, 0, 1), (0, -1, 0))
-    return View(inner, (0, -0.1, -1), (0, 1, 0))
+        return View(inner, (0, 0, 1), (0, -1, 0), margin=1.1)
+    return View(inner, (0, -0.1, -1), (0, 1, 0), margin=1.1)
 
 
 def _discs(points, normals, radius):

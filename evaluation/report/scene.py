@@ -119,8 +119,8 @@ def coloured(data, values=None, limits=(0, 1), colours="viridis", flat=True):
     actor.SetMapper(mapper)
     look = actor.GetProperty()
     look.SetColor(*PLAIN)
-    look.SetAmbient(0.22)
-    look.SetDiffuse(0.8)
+    look.SetAmbient(0.22 if values is None else 0.38)
+    look.SetDiffuse(0.8 if values is None else 0.68)
     look.SetSpecular(0.05)
     if flat:
         look.SetInterpolationToFlat()
