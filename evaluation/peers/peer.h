@@ -20,7 +20,7 @@ struct PeerSetting
   std::string parameters;
   /** The peer's own default. Exactly one setting of each peer is. */
   bool is_default = false;
-  /** By name, what the adapter of this peer reads. Lengths are in mean distances to the nearest neighbor. */
+  /** By name, what the adapter of this peer reads. Lengths are in spacings: mean distances to the 6 nearest neighbors. */
   std::map<std::string, double> values;
 };
 
