@@ -9,7 +9,7 @@ from panels import Panel, save
 from scene import coloured, view_of
 from summary import PEERS, combination
 
-DISTANCE = ("distance to the clean surface, in mean edge lengths", "inferno_r")
+DISTANCE = ("distance to the clean surface, in mean edge lengths", "gist_heat_r")
 VARIATION = ("surface variation (k 15)", "viridis")
 
 
@@ -25,7 +25,7 @@ class Model:
         if not len(self.triangles):
             raise geometry.Unreadable(f"{path} holds no triangles")
         self.edge = geometry.mean_edge(self.points, self.triangles)
-        self.view = view_of(self.points)
+        self.view = view_of(self.points, self.triangles)
 
     def cloud(self, path):
         """Points of a result; as many as the mesh has."""

@@ -74,12 +74,27 @@ def add_area(study, page, folder):
         "small the area passes the true one whether or not the points are near the surface. Of the "
         f"{len(small)} results with the lowest E_A (one in a hundred of the sweep), <b>{worse} lie farther from the surface than the "
         f"noisy input</b>; for example {combination(example)} on {style.model_title(example['model'])}, {example['noise']}: E_A "
-        f"{format_number(1e3 * example['E_A'])}e-3, p2s ratio {example['p2s_ratio']:.2f}."
+        f"{format_number(1e3 * example['E_A'])}e-3, p2s ratio {example['p2s_ratio']:.2f}. "
+        + _opposite_steps(rows)
     )
     _add_correlations(study, page, rows)
     path = _course(study, folder)
     if path:
-        page.figure(path, "E_A and p2s ratio over the point iterations, mean over the other choices of each estimator, at k 15. A measure of quality would not dip where p2s keeps growing.")
+        page.figure(path, "E_A and p2s ratio over the point iterations, mean over the other choices of each estimator, at k 15.")
+
+
+def _opposite_steps(rows):
+    """How often more point iterations lower E_A while they raise p2s."""
+    courses = {}
+    for row in rows:
+        courses.setdefault((row["model"], row["noise"], row["seed"], row["name"], row["normal_iterations"]), []).append(row)
+    steps = []
+    for course in courses.values():
+        course.sort(key=lambda row: row["point_iterations"])
+        steps += list(zip(course, course[1:]))
+    worse = [(a, b) for a, b in steps if b["p2s_ratio"] > a["p2s_ratio"]]
+    praised = sum(b["E_A"] < a["E_A"] for a, b in worse)
+    return f"More point iterations took the points farther from the surface in {len(worse)} of {len(steps)} steps of the sweep; E_A fell in {praised} of these."
 
 
 def _add_correlations(study, page, rows):
@@ -113,6 +128,7 @@ def _course(study, folder):
                 there = [(step, value) for step, value in zip(steps, course) if value is not None]
                 axes[row, column].plot(*zip(*there) if there else ([], []), "o-", color=colour, markersize=4, label=style.ESTIMATOR_NAMES[estimator])
             axes[row, column].set(xscale="log", yscale="log")
+            style.plain_ticks(axes[row, column].yaxis)
         axes[0, column].set_title(f"{style.model_title(model)}, {noise}")
         axes[1, column].set_xlabel("point iterations")
         axes[1, column].set_xticks(steps, [str(step) for step in steps])

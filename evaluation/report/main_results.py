@@ -33,7 +33,7 @@ def _add_noise(study, page, folder, noise, sigma):
     title = f"{style.NOISE_NAMES.get(noise, noise)}, sigma {format_number(sigma)} mean edge lengths"
     page.heading(title[0].upper() + title[1:])
     path = _dots(by_model, folder, f"results_{noise}_{format_number(sigma)}")
-    page.figure(path, f"p2s ratio, {title}. Dots: mean over the seeds; bars: lowest and highest seed. The dashed line at 1 is the noisy input.")
+    page.figure(path, f"p2s ratio, {title}. Dots: mean over the seeds (hollow: a peer as it comes); bars: lowest and highest seed. The dashed line at 1 is the noisy input.")
     _ratio_table(page, study, by_model)
     for model in study.models:
         page.parts.append(f"<details><summary>{escape(style.model_title(model))}: settings, times, edges</summary>")
@@ -69,7 +69,8 @@ def _draw_dots(axis, found, highest):
             axis.text(0.03, place, "no result", transform=axis.get_yaxis_transform(), color="#9a9a9a", fontsize=7, style="italic", va="center")
             continue
         axis.plot(entry.spread(), [place, place], color=colour, linewidth=2, solid_capstyle="butt")
-        axis.plot(entry.mean(), place, "o", color=colour, markersize=5)
+        inside = "white" if entry.group == "peer" and entry.label.endswith("default") else colour
+        axis.plot(entry.mean(), place, "o", color=colour, markerfacecolor=inside, markersize=5)
     axis.axvline(1, color=style.DARK, linewidth=0.9, linestyle="--")
     axis.set_xscale("log")
     axis.set_xlim(0.12, max(2, highest * 1.2))
@@ -103,10 +104,19 @@ def _ratio_table(page, study, by_model):
         caption="p2s ratio, mean over the seeds ± half the distance between the lowest and the highest seed; "
         "the geometric mean only where every model has a value.",
     )  # fmt: skip
-    missing = [entry for found in by_model.values() for entry in found if entry.mean() is None]
-    if missing:
-        reasons = dict.fromkeys(f"<b>{escape(e.label.split(':')[0])}</b>: {escape(e.reason or 'no row with these settings')}" for e in missing)
-        page.points([f"Gap: {reason}" for reason in reasons])
+    _list_gaps(page, by_model)
+
+
+def _list_gaps(page, by_model):
+    """Each reason once, with the methods and models that it holds for."""
+    reasons = {}
+    for model, found in by_model.items():
+        for entry in found:
+            if entry.mean() is None:
+                methods, models = reasons.setdefault(entry.reason or "not in this study", ({}, {}))
+                methods[entry.label.split(":")[0]] = models[style.model_title(model)] = None
+    if reasons:
+        page.points([f"Gap: {escape(', '.join(methods))} on {escape(', '.join(models))}: {escape(reason)}" for reason, (methods, models) in reasons.items()])
 
 
 def _model_table(page, found):

@@ -21,6 +21,8 @@ def add(study, page):
         page.points([escape(sentence) for sentence in said])
     else:
         page.gap("conclusions", "no model has both our result and a peer's in this study")
+    page.text("What the paper says, and whether this rerun bears it out:")
+    page.all_verdicts()
     for note in study.notes:
         page.gap("damaged study", note)
     page.section("run", "What was run")

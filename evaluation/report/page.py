@@ -73,6 +73,9 @@ def embedded(path):
         return "data:image/png;base64," + base64.b64encode(file.read()).decode()
 
 
+VERDICTS = "<!-- verdicts -->"
+
+
 class Gap(str):
     """A cell that has no value, and why."""
 
@@ -82,7 +85,7 @@ class Page:
 
     def __init__(self, title, lead):
         self.title, self.lead = title, lead
-        self.parts, self.contents = [], []
+        self.parts, self.contents, self.verdicts = [], [], []
 
     def section(self, name, title):
         self.contents.append((name, title))
@@ -102,8 +105,13 @@ class Page:
         self.parts.append(f'<div class="gap-box"><b>Gap: {escape(what)}.</b> {escape(why)}</div>')
 
     def verdict(self, verdict, text):
-        kind = verdict.replace(" ", "-")
+        self.verdicts.append((verdict, text))
+        kind = verdict.split()[0] if verdict.startswith("partly") else verdict.replace(" ", "-")
         self.parts.append(f'<div class="verdict {kind}"><b>{escape(verdict.capitalize())}.</b> {escape(text)}</div>')
+
+    def all_verdicts(self):
+        """A list of every verdict of the page, in short, at this place; also of those that are yet to come."""
+        self.parts.append(VERDICTS)
 
     def figure(self, path, caption):
         alternative = escape(caption.split(".")[0])
@@ -129,11 +137,13 @@ class Page:
     def write(self, path):
         """Complete or not at all: beside the target first, then renamed."""
         contents = "".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title in self.contents)
+        verdicts = "".join(f"<li><b>{escape(verdict.capitalize())}</b>: {escape(text.split(': ')[0])}</li>" for verdict, text in self.verdicts)
+        parts = [f"<ul>{verdicts}</ul>" if part == VERDICTS else part for part in self.parts]
         text = (
             f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(self.title)}</title>'
             f'<meta name="viewport" content="width=device-width, initial-scale=1"><style>{STYLE}</style></head>\n'
             f'<body><main><h1>{escape(self.title)}</h1><p class="lead">{escape(self.lead)}</p>'
-            f'<nav aria-label="Contents"><ol>{contents}</ol></nav>\n' + "\n".join(self.parts) + "\n</main></body></html>\n"
+            f'<nav aria-label="Contents"><ol>{contents}</ol></nav>\n' + "\n".join(parts) + "\n</main></body></html>\n"
         )
         with open(path + ".part", "w", encoding="utf-8") as file:
             file.write(text)

@@ -50,6 +50,7 @@ def _box_plots(rows, folder, noise):
             else:
                 axis.text(place, 0.02, "gap", transform=axis.get_xaxis_transform(), rotation=90, fontsize=7, color="#999999", ha="center")
         axis.set_yscale("log")
+        style.plain_ticks(axis.yaxis)
         axis.set_title(title)
         axis.grid(axis="x", visible=False)
     axes[2].axhline(1, color=style.DARK, linewidth=0.9, linestyle="--")
@@ -82,7 +83,7 @@ def add_mean_errors(study, page, folder):
     style.legend_below(figure, axes[0, 0], 5)
     path = style.save(figure, folder, "fig7")
     page.figure(
-        path, "Fig. 7: mean over 3 neighbourhoods and 20 choices of iterations. Bars: mean over the models; marks: each model (logarithmic scale)."
+        path, "Fig. 7: mean over 3 neighbourhoods and 20 choices of iterations. Bars: mean over the models (blue PCA, green WPCA, orange Hough); marks: each model."
     )
     for noise in noises:
         page.verdict(*claims.thresholded_best_on_area(study, noise))
@@ -94,12 +95,13 @@ def _mean_errors(axis, study, noise, measure):
         rows = [row for row in study.sweep(noise=noise) if method_of(row) == method]
         models = [mean(row[measure] for row in rows if row["model"] == model) for model in study.models]
         if mean(models) is not None:
-            axis.bar(place, mean(models), 0.72, color=style.ESTIMATOR_COLOURS[method[:-1]], alpha=0.45)
+            axis.hlines(mean(models), place - 0.38, place + 0.38, color=style.ESTIMATOR_COLOURS[method[:-1]], linewidth=4)
         for index, (model, value) in enumerate(zip(study.models, models)):
             if value is not None:
                 label = style.model_title(model) if place == 0 else None
                 axis.plot(place, value, marks[index % len(marks)], color=style.DARK, markersize=3.5, alpha=0.8, label=label)
     axis.set_yscale("log")
+    style.plain_ticks(axis.yaxis)
     axis.grid(axis="x", visible=False)
     if measure == "p2s_ratio":
         axis.axhline(1, color=style.DARK, linewidth=0.9, linestyle="--")
@@ -121,7 +123,7 @@ def add_scatter(study, page, folder):
     axes[0].set(title=f"{style.model_title(model)}, {noise}: E_A and E_k", ylabel="E_k (k 15)")
     axes[1].set(title="the same combinations: E_A and p2s ratio", ylabel="p2s ratio")
     axes[1].axhline(1, color=style.DARK, linewidth=0.9, linestyle="--")
-    style.legend_below(figure, axes[0], 6)
+    style.legend_below(figure, axes[0], 3)
     path = style.save(figure, folder, "fig8")
     told = "; ".join(f"{what}: {combination(row)} (p2s ratio {row['p2s_ratio']:.2f})" for what, row in marked.items() if row["p2s_ratio"])
     page.figure(path, f"Fig. 8: {len(rows)} combinations, one seed. Best and worst: lowest and highest sum of E_A and E_k, each over its median; average: the middle one. {told}.")
@@ -143,7 +145,7 @@ def _scatter(axis, rows, column, marked):
             chosen = [r for r in rows if estimator_of(r) == estimator and weights_of(r) == weights and r[column]]
             label = f"{style.ESTIMATOR_NAMES[estimator]}, {style.WEIGHT_NAMES[weights]}"
             axis.plot([r["E_A"] for r in chosen], [r[column] for r in chosen], mark, color=colour, markersize=3.6, alpha=0.6, markeredgewidth=0, label=label)
-    offsets = {"best": (12, -14), "average": (-14, 22), "worst": (-18, -22), "best area": (14, 18), "worst curvature": (-26, 16)}
+    offsets = {"best": (12, -14), "average": (22, -24), "worst": (-18, -22), "best area": (14, 18), "worst curvature": (24, -3)}
     for what, row in marked.items():
         if row[column]:
             axis.plot(row["E_A"], row[column], "o", markersize=9, markerfacecolor="none", markeredgecolor=style.RED, markeredgewidth=1.6)
@@ -152,3 +154,6 @@ def _scatter(axis, rows, column, marked):
                 arrowprops={"arrowstyle": "-", "color": style.RED, "linewidth": 0.8}, bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 1},
             )  # fmt: skip
     axis.set(xscale="log", yscale="log", xlabel="E_A")
+    axis.margins(0.08)
+    style.plain_ticks(axis.xaxis)
+    style.plain_ticks(axis.yaxis)

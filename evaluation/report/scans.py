@@ -14,8 +14,9 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 import geometry
 from panels import Panel, save
 from running import ToolTrouble, run
-from scene import View, coloured
+from scene import RAKING, View, coloured
 
+WHOLE = 20000  # points of a scan that is shown whole; of a larger one only the middle, or its noise cannot be seen
 CASES = (("raw scan", None), ("paper: PGU7, 5 and 7 iterations", "paper"), ("ours: default", "default"))
 
 
@@ -32,10 +33,10 @@ def add(page, folder, stage, tools, scan):
         return
     raw = clouds[0][1]
     view, radius = scan_view(raw), 0.62 * geometry.spacing(raw, 4)
-    panels = [Panel(title, stage.draw([_discs(points, normals, radius)], view)) for title, points, normals in clouds]
+    panels = [Panel(title, stage.draw([_discs(points, normals, radius)], view, RAKING)) for title, points, normals in clouds]
     image = save(panels, folder, "fig9", columns=3, width=3.7, aspect=view.aspect())
     page.figure(
-        image, f"Fig. 9: {os.path.basename(scan)}, {len(raw)} points, as it came from the scanner; no truth is known. Each point is a disc across its normal (WPCA, "
+        image, f"Fig. 9: {os.path.basename(scan)}, {len(raw)} points, as it came from the scanner{" (the middle of it)" if len(raw) > WHOLE else ""}; no truth is known. Each point is a disc across its normal (WPCA, "
         "k 9, on the cloud shown)."
     )  # fmt: skip
 
@@ -57,9 +58,11 @@ def _cloud(scan, preset, tools, work):
 
 def scan_view(points):
     """From a depth camera's place where all points lie before it (z forward, y down), else along -z with y up. The
-    outermost thousandth does not count for the frame."""
-    low, high = numpy.percentile(points, [0.1, 99.9], axis=0)
-    inner = points[((points >= low) & (points <= high)).all(axis=1)]
+    outermost thousandth does not count for the frame, and of a large scan only the middle does."""
+    aside = 0.1 if len(points) <= WHOLE else 36
+    low, high = numpy.percentile(points[:, :2], [aside, 100 - aside], axis=0)
+    inner = points[((points[:, :2] >= low) & (points[:, :2] <= high)).all(axis=1)]
+    inner = inner if len(inner) else points
     if (points[:, 2] > 0).all():
         return View(inner, (0, 0, 1), (0, -1, 0), margin=1.1)
     return View(inner, (0, -0.1, -1), (0, 1, 0), margin=1.1)

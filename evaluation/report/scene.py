@@ -17,6 +17,9 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 PLAIN = (0.83, 0.84, 0.86)
+# Where lights stand, seen from the camera (right, up, back), and how strong they are.
+FRONT = (((-0.5, 0.7, 1), 0.85), ((0.9, 0.1, 0.6), 0.3))
+RAKING = (((-1, 0.7, 0.3), 0.8), ((0.2, 0, 1), 0.25))
 
 
 class View:
@@ -40,11 +43,30 @@ class View:
         return min(max(self.half_width / self.half_height, 0.6), 2.2)
 
 
-def view_of(points):
-    """Looks at the broad side of a shape, from a little above and aside."""
+def view_of(points, triangles):
+    """Looks at the broad side of a shape, from a little above and aside; of its two sides and ends, those that show most
+    slopes: a flat back says little."""
     _, axes = numpy.linalg.eigh(numpy.cov(points.T))
     thin, upward, long = (axes[:, i] * numpy.sign(axes[numpy.abs(axes[:, i]).argmax(), i]) for i in range(3))
-    return View(points, -(0.82 * thin + 0.32 * upward + 0.38 * long), upward)
+    upward = upward if _footprint(points, upward) >= _footprint(points, -upward) else -upward
+    corners = points[triangles]
+    faces = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    areas = numpy.maximum(numpy.linalg.norm(faces, axis=1), 1e-300)
+
+    def flatness(looking):
+        facing = numpy.maximum(-(faces @ looking), 0)
+        return (facing**2 / areas).sum() / max(facing.sum(), 1e-300)
+
+    sides = [-(side * 0.82 * thin + 0.32 * upward + end * 0.38 * long) for side in (1, -1) for end in (1, -1)]
+    return View(points, min(sides, key=flatness), upward)
+
+
+def _footprint(points, upward):
+    """How wide a shape stands: area of the box around its lowest twentieth."""
+    heights = points @ upward
+    lowest = points[heights <= heights.min() + 0.05 * numpy.ptp(heights)]
+    spreads = numpy.linalg.svd(lowest - lowest.mean(axis=0), compute_uv=False) / numpy.sqrt(len(lowest))
+    return float(spreads[:2].prod())
 
 
 class Stage:
@@ -62,12 +84,12 @@ class Stage:
     def __exit__(self, *_):
         self.window.Finalize()
 
-    def draw(self, actors, view):
+    def draw(self, actors, view, lights=FRONT):
         """An array, height x width x 3, white behind."""
         renderer = vtkRenderer()
         renderer.SetBackground(1, 1, 1)
         renderer.AutomaticLightCreationOff()
-        for place, strength in (((-0.5, 0.7, 1), 0.85), ((0.9, 0.1, 0.6), 0.3)):
+        for place, strength in lights:
             light = vtkLight()
             light.SetLightTypeToCameraLight()
             light.SetPosition(*place)

@@ -17,9 +17,9 @@ CASES = (
 
 def add(study, page, folder):
     page.heading("Fig. 10: two close sheets")
-    name = study.find_model("two_sheets")
+    name = study.find_model("two_sheets") or study.find_model("sheets")
     if not name:
-        page.gap("Fig. 10", "the model two_sheets is not in this study")
+        page.gap("Fig. 10", "the model sheets is not in this study")
         return
     try:
         model = Model(study, name)

@@ -7,6 +7,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (the backend comes first)
+from matplotlib.ticker import LogLocator, NullLocator  # noqa: E402
 
 # Okabe and Ito's colours, which colour-blind people tell apart.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9"
@@ -31,6 +32,18 @@ plt.rcParams.update({
 def model_title(name):
     """'double_torus' as people read it."""
     return name.replace("_", " ")
+
+
+def plain_number(value, _place=None):
+    """0.002, 0.5, 20: never a power of ten."""
+    return f"{value:.6f}".rstrip("0").rstrip(".") if value < 1 else f"{value:.0f}"
+
+
+def plain_ticks(axis):
+    """Plain numbers, few of them, on an axis (axes.xaxis or axes.yaxis) that is logarithmic already."""
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5), numticks=9))
+    axis.set_major_formatter(plain_number)
+    axis.set_minor_locator(NullLocator())
 
 
 def legend_below(figure, axis, columns):
