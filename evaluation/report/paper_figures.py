@@ -85,7 +85,7 @@ def add_mean_errors(study, page, folder):
     page.figure(
         path, "Fig. 7: mean over 3 neighbourhoods and 20 choices of iterations. Bars: mean over the models (blue PCA, green WPCA, orange Hough); marks: each model."
     )
-    for noise in noises:
+    for noise in study.noises:
         page.verdict(*claims.thresholded_best_on_area(study, noise))
 
 

@@ -32,11 +32,12 @@ def add(page, folder, stage, tools, scan):
         page.gap("Fig. 9", str(error))
         return
     raw = clouds[0][1]
-    view, radius = scan_view(raw), 0.62 * geometry.spacing(raw, 4)
+    view, radius = scan_view(raw, clouds[0][2]), 0.62 * geometry.spacing(raw, 4)
     panels = [Panel(title, stage.draw([_discs(points, normals, radius)], view, RAKING)) for title, points, normals in clouds]
     image = save(panels, folder, "fig9", columns=3, width=3.7, aspect=view.aspect())
+    part = " (a part of it is shown)" if len(raw) > WHOLE else ""
     page.figure(
-        image, f"Fig. 9: {os.path.basename(scan)}, {len(raw)} points, as it came from the scanner{" (the middle of it)" if len(raw) > WHOLE else ""}; no truth is known. Each point is a disc across its normal (WPCA, "
+        image, f"Fig. 9: {os.path.basename(scan)}, {len(raw)} points, as it came from the scanner{part}; no truth is known. Each point is a disc across its normal (WPCA, "
         "k 9, on the cloud shown)."
     )  # fmt: skip
 
@@ -56,16 +57,29 @@ def _cloud(scan, preset, tools, work):
     return points[finite], normals[finite]
 
 
-def scan_view(points):
+def scan_view(points, normals):
     """From a depth camera's place where all points lie before it (z forward, y down), else along -z with y up. The
-    outermost thousandth does not count for the frame, and of a large scan only the middle does."""
-    aside = 0.1 if len(points) <= WHOLE else 36
-    low, high = numpy.percentile(points[:, :2], [aside, 100 - aside], axis=0)
-    inner = points[((points[:, :2] >= low) & (points[:, :2] <= high)).all(axis=1)]
-    inner = inner if len(inner) else points
+    outermost thousandth does not count for the frame; of a large scan only the ninth whose normals differ most does."""
+    if len(points) <= WHOLE:
+        low, high = numpy.percentile(points[:, :2], [0.1, 99.9], axis=0)
+        inner = _within(points, low, high)
+    else:
+        edges = numpy.percentile(points[:, :2], [4, 35, 65, 96], axis=0)
+        windows = [_within(points, (edges[i, 0], edges[j, 1]), (edges[i + 1, 0], edges[j + 1, 1])) for i in range(3) for j in range(3)]
+        inner = max(windows, key=lambda window: _unlikeness(normals[window]))
+    inner = points[inner] if inner.any() else points
     if (points[:, 2] > 0).all():
         return View(inner, (0, 0, 1), (0, -1, 0), margin=1.1)
     return View(inner, (0, -0.1, -1), (0, 1, 0), margin=1.1)
+
+
+def _within(points, low, high):
+    return ((points[:, :2] >= low) & (points[:, :2] <= high)).all(axis=1)
+
+
+def _unlikeness(normals):
+    """0 where all are alike, whatever their signs."""
+    return 1 - numpy.linalg.eigvalsh(normals.T @ normals / len(normals))[-1] if len(normals) > 100 else 0
 
 
 def _discs(points, normals, radius):

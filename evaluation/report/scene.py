@@ -44,29 +44,20 @@ class View:
 
 
 def view_of(points, triangles):
-    """Looks at the broad side of a shape, from a little above and aside; of its two sides and ends, those that show most
-    slopes: a flat back says little."""
-    _, axes = numpy.linalg.eigh(numpy.cov(points.T))
-    thin, upward, long = (axes[:, i] * numpy.sign(axes[numpy.abs(axes[:, i]).argmax(), i]) for i in range(3))
-    upward = upward if _footprint(points, upward) >= _footprint(points, -upward) else -upward
+    """A view with y upward, as most meshes stand, from somewhat above: of several around the shape, the one that shows a
+    broad side and many slopes, since a flat back says little."""
     corners = points[triangles]
     faces = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     areas = numpy.maximum(numpy.linalg.norm(faces, axis=1), 1e-300)
-
-    def flatness(looking):
-        facing = numpy.maximum(-(faces @ looking), 0)
-        return (facing**2 / areas).sum() / max(facing.sum(), 1e-300)
-
-    sides = [-(side * 0.82 * thin + 0.32 * upward + end * 0.38 * long) for side in (1, -1) for end in (1, -1)]
-    return View(points, min(sides, key=flatness), upward)
-
-
-def _footprint(points, upward):
-    """How wide a shape stands: area of the box around its lowest twentieth."""
-    heights = points @ upward
-    lowest = points[heights <= heights.min() + 0.05 * numpy.ptp(heights)]
-    spreads = numpy.linalg.svd(lowest - lowest.mean(axis=0), compute_uv=False) / numpy.sqrt(len(lowest))
-    return float(spreads[:2].prod())
+    views = []
+    for height in numpy.radians([18, 45]):
+        for turn in numpy.radians([25, -25, 65, -65, 115, -115, 155, -155]):
+            away = numpy.array([numpy.sin(turn) * numpy.cos(height), numpy.sin(height), numpy.cos(turn) * numpy.cos(height)])
+            view = View(points, -away, (0, 1, 0))
+            facing = numpy.maximum(faces @ away, 0)
+            flatness = (facing**2 / areas).sum() / max(facing.sum(), 1e-300)
+            views.append((view.half_width * view.half_height * (1.4 - flatness), len(views), view))
+    return max(views)[2]
 
 
 class Stage:

@@ -44,10 +44,14 @@ def settings(rows):
 
 
 def ranked(rows, column="p2s_ratio"):
-    """Settings by their mean over the seeds, the lowest first. Settings that were run with fewer seeds than others count
-    as they are."""
-    groups = [group for group in settings(rows) if mean(row[column] for row in group) is not None]
-    return sorted(groups, key=lambda group: mean(row[column] for row in group))
+    """Settings, the lowest first, by the first seed that there is: only the best ones may have been run with more."""
+    first = min((row["seed"] for row in rows if row["seed"] is not None), default=None)
+    groups = {}
+    for group in settings(rows):
+        value = mean(row[column] for row in group if row["seed"] == first)
+        if value is not None:
+            groups[value, len(groups)] = group
+    return [groups[key] for key in sorted(groups)]
 
 
 def combination(row):
