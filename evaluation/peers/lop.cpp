@@ -103,7 +103,8 @@ nextPlace (const Point& x, const BallSearch& points, const BallSearch& projected
   });
   WeightedMean repulsion;
   projected.around (x, h, [&] (const Point& to, double distance) {
-    const double slope = 1 / std::pow (distance, 4); // of eta
+    const double squared = distance * distance;
+    const double slope = 1 / (squared * squared); // of eta
     const double beta = theta (distance, h) / distance * slope;
     repulsion.add (beta, -to);
   });

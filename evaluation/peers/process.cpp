@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "process.h"
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 
 #include <fcntl.h>
@@ -22,7 +23,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-constexpr double grace_s = 2;
+constexpr double grace_s = 1;
 // Statuses of coreutils' timeout.
 constexpr int timed_out_status = 124;
 constexpr int signal_status = 128;
@@ -77,9 +78,17 @@ void
 endGroup (pid_t group)
 {
   const auto start = Clock::now ();
-  while (::kill (-group, 0) == 0 && secondsSince (start) < grace_s)
+  // The orphans of the group are children of this process.
+  const auto isLeft = [group] {
+    while (::waitpid (-group, nullptr, WNOHANG) > 0)
+      ;
+    return ::kill (-group, 0) == 0;
+  };
+  while (isLeft () && secondsSince (start) < grace_s)
     std::this_thread::sleep_for (std::chrono::milliseconds (10));
   ::kill (-group, SIGKILL);
+  while (::waitpid (-group, nullptr, 0) > 0 || errno == EINTR)
+    ;
 }
 
 /** The environment with the folder as the place of temporary files, and threads that wait not keeping others from the
@@ -157,6 +166,7 @@ runProcess (const std::vector<std::string>& command, const WorkFolder& folder, d
   limited.insert (limited.end (), command.begin (), command.end ());
   const auto start = Clock::now ();
   pid_t process = 0;
+  ::prctl (PR_SET_CHILD_SUBREAPER, 1); // what a program leaves running comes to this process, which can wait for it
   if (const int error = spawn (limited, folder, process))
     return {std::string ("cannot be started: ") + std::strerror (error), 0};
   int wait = 0;
