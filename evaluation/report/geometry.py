@@ -83,10 +83,10 @@ def surface_variation(points, k=15):
     return numpy.maximum(eigenvalues[:, 0], 0) / numpy.maximum(eigenvalues.sum(axis=1), 1e-300)
 
 
-def spacing(points, place=1):
-    """Median distance to the other point that is nearest, or the \a place-th nearest."""
+def spacings(points, place):
+    """Distance of each point to its \a place-th nearest other point."""
     lengths, _ = scipy.spatial.cKDTree(points).query(points, k=place + 1)
-    return float(numpy.median(lengths[:, -1]))
+    return lengths[:, -1]
 
 
 def write_ply(path, points, normals):

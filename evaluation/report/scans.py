@@ -32,8 +32,8 @@ def add(page, folder, stage, tools, scan):
         page.gap("Fig. 9", str(error))
         return
     raw = clouds[0][1]
-    view, radius = scan_view(raw, clouds[0][2]), 0.62 * geometry.spacing(raw, 4)
-    panels = [Panel(title, stage.draw([_discs(points, normals, radius)], view, RAKING)) for title, points, normals in clouds]
+    view, radii = scan_view(raw, clouds[0][2]), 0.62 * geometry.spacings(raw, 4)
+    panels = [Panel(title, stage.draw([_discs(points, normals, radii)], view, RAKING)) for title, points, normals in clouds]
     image = save(panels, folder, "fig9", columns=3, width=3.7, aspect=view.aspect())
     part = " (a part of it is shown)" if len(raw) > WHOLE else ""
     page.figure(
@@ -43,7 +43,7 @@ def add(page, folder, stage, tools, scan):
 
 
 def _cloud(scan, preset, tools, work):
-    """Points and normals, those that are finite."""
+    """Finite points, which are the same ones before and after smoothing, and their normals."""
     smoothed, shown = scan, os.path.join(work, "shown.ply")
     if preset:
         smoothed = os.path.join(work, "smoothed.ply")
@@ -51,15 +51,15 @@ def _cloud(scan, preset, tools, work):
     run(tools, "pcl_wpca_normal_estimation", smoothed, shown, "-k", 9)
     data = geometry.read_ply(shown)
     points, normals = geometry.points_of(data), geometry.normals_of(data)
-    finite = numpy.isfinite(points).all(axis=1) & numpy.isfinite(normals).all(axis=1)
-    if not finite.any():
-        raise geometry.Unreadable(f"{scan} holds no finite points")
-    return points[finite], normals[finite]
+    finite = numpy.isfinite(points).all(axis=1)
+    if finite.sum() < 10:
+        raise geometry.Unreadable(f"{scan} holds fewer than 10 finite points")
+    return points[finite], numpy.nan_to_num(normals[finite], nan=0.57735)
 
 
 def scan_view(points, normals):
     """From a depth camera's place where all points lie before it (z forward, y down), else along -z with y up. The
-    outermost thousandth does not count for the frame; of a large scan only the ninth whose normals differ most does."""
+    outermost thousandth does not count for the frame; of a large scan only the ninth that shows most slopes does."""
     if len(points) <= WHOLE:
         low, high = numpy.percentile(points[:, :2], [0.1, 99.9], axis=0)
         inner = _within(points, low, high)
@@ -78,14 +78,14 @@ def _within(points, low, high):
 
 
 def _unlikeness(normals):
-    """0 where all are alike, whatever their signs."""
-    return 1 - numpy.linalg.eigvalsh(normals.T @ normals / len(normals))[-1] if len(normals) > 100 else 0
+    """0 where all are alike, whatever their signs; grows with their number."""
+    return len(normals) - numpy.linalg.eigvalsh(normals.T @ normals)[-1] if len(normals) else 0
 
 
-def _discs(points, normals, radius):
+def _discs(points, normals, radii):
     disc = vtkDiskSource()
     disc.SetInnerRadius(0)
-    disc.SetOuterRadius(radius)
+    disc.SetOuterRadius(1)
     disc.SetCircumferentialResolution(8)
     turn = vtkTransform()
     turn.RotateY(90)  # glyphs turn x into the normal
@@ -94,10 +94,11 @@ def _discs(points, normals, radius):
     turned.SetTransform(turn)
     data = geometry.surface(points, numpy.zeros((0, 3), int))
     data.GetPointData().SetNormals(numpy_to_vtk(numpy.ascontiguousarray(normals, dtype=numpy.float32), deep=True))
+    data.GetPointData().SetScalars(numpy_to_vtk(numpy.minimum(radii, 4 * numpy.median(radii)), deep=True))
     glyphs = vtkGlyph3D()
     glyphs.SetInputData(data)
     glyphs.SetSourceConnection(turned.GetOutputPort())
     glyphs.SetVectorModeToUseNormal()
-    glyphs.ScalingOff()
+    glyphs.SetScaleModeToScaleByScalar()
     glyphs.Update()
     return coloured(glyphs.GetOutput())
