@@ -8,7 +8,7 @@ import os
 
 NUMBERS = (
     "points sigma seed k normal_iterations point_iterations seconds E_A E_k7 E_k15 E_k21 p2s_mean p2s_rms p2s_max "
-    "p2s_ratio p2p_mean p2p_ratio normal_angle edge_error edge_fraction spacing_p01"
+    "p2s_ratio p2p_mean p2p_ratio normal_angle edge_error edge_fraction spacing_p01 own_normal_angle exact_mean exact_ratio"
 ).split()
 TEXTS = "model noise family name parameters status reason cloud".split()
 PAPER_SIGMA = 0.2

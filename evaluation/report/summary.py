@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What each method reached on one model and noise, mean and spread over the seeds."""
 
-from study import mean, ordered
+from study import NUMBERS, mean, ordered
 
 PRESETS = ("default", "fast", "paper")
 PEERS = ("APSS", "RIMLS", "WLOP", "LOP", "CGAL jet", "CGAL bilateral", "PCL MLS")
 DEFAULT_MARK = " (default)"
+MEASURES = [name for name in NUMBERS if name not in ("points", "sigma", "seed", "k", "normal_iterations", "point_iterations")]
 
 
 class Entry:
@@ -68,7 +69,7 @@ def sweep_entries(study, **where):
     by_seed = []
     for seed in ordered(row["seed"] for row in rows):
         of_seed = [row for row in rows if row["seed"] == seed]
-        averaged = {column: mean(row[column] for row in of_seed) for column in ("p2s_ratio", "edge_error", "edge_fraction", "seconds")}
+        averaged = {column: mean(row[column] for row in of_seed) for column in MEASURES}
         by_seed.append({**of_seed[0], **averaged})
     return [
         Entry("paper's 540: best", "sweep", order[0], combination(order[0][0])),
