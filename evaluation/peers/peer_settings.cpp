@@ -2,6 +2,7 @@
 #include "peer.h"
 
 #include <sstream>
+#include <utility>
 
 namespace pcl_normal_smoothing::evaluation
 {
@@ -13,6 +14,8 @@ struct Value
   double value;
   std::string unit = {};
 };
+
+using Pair = std::pair<double, double>;
 
 const std::string spacings = " spacings";
 
@@ -53,54 +56,59 @@ private:
   std::string peer_;
 };
 
-/** MeshLab's defaults, and what the paper's Table I lists. */
+/** MeshLab's defaults, what the paper's Table I lists, and what measured lowest. */
 void
 addMeshLab (SettingList& list)
 {
   list.begin ("APSS");
   list.addDefault ({{"filter scale", 2}, {"spherical parameter", 1}});
-  for (const auto& [scale, spherical] :
-       {std::pair {2., .5}, {3., .5}, {3., .75}, {3., 1.}, {4., .5}, {4., .75}, {4., 1.}})
+  for (const auto& [scale, spherical] : {Pair {2, .5}, {3, .5}, {3, .75}, {3, 1}, {4, .5}, {4, .75}, {4, 1}})
     list.add ({{"filter scale", scale}, {"spherical parameter", spherical}});
 
   list.begin ("RIMLS");
   list.addDefault ({{"filter scale", 2}, {"sharpness", .75}});
-  for (const auto& [scale, sharpness] : {std::pair {3., .5}, {3., .75}, {4., .5}, {4., .75}, {4., 1.}, {5., .5}})
+  for (const auto& [scale, sharpness] :
+       {Pair {3, .35}, {3, .5}, {3, .75}, {4, .5}, {4, .75}, {4, 1}, {5, .35}, {5, .5}})
     list.add ({{"filter scale", scale}, {"sharpness", sharpness}});
 }
 
+/** Table I gives h in a unit that the paper does not state: about 6 to 9 spacings if it is the diagonal. */
 void
-addProjections (SettingList& list)
+addLop (SettingList& list)
 {
+  // No program has it: the mean of the paper's mu, the lower end of its h.
   list.begin ("LOP");
-  list.addDefault ({{"h", 4, spacings}, {"mu", .25}, {"iterations", 10}});
-  for (const auto& [h, mu] : {std::pair {3., .1}, {4., .4}, {6., .25}})
-    list.add ({{"h", h, spacings}, {"mu", mu}, {"iterations", 10}});
-
-  list.begin ("WLOP");
-  list.addDefault ({{"radius", 8, spacings}, {"iterations", 35}, {"uniform", 0}});
-  for (const double radius : {2., 3., 4.})
-    list.add ({{"radius", radius, spacings}, {"iterations", 10}, {"uniform", 0}});
+  for (const auto& [h, mu] : {Pair {4, .3}, {6, .25}, {6, .3}, {8, .3}})
+    list.add ({{"h", h, spacings}, {"mu", mu}, {"iterations", 10}}, h == 6 && mu == .3);
 }
 
+/** CGAL's defaults, or what its examples have where it has none. */
 void
-addFits (SettingList& list)
+addCgal (SettingList& list)
 {
+  list.begin ("WLOP");
+  list.addDefault ({{"radius", 8, spacings}, {"iterations", 35}, {"uniform", 0}});
+  list.add ({{"radius", 3, spacings}, {"iterations", 10}, {"uniform", 0}});
+  for (const double radius : {3., 4.})
+    list.add ({{"radius", radius, spacings}, {"iterations", 10}, {"uniform", 1}});
+
   list.begin ("CGAL jet");
   for (const double neighbors : {12, 18, 24, 32, 48})
     list.add ({{"neighbors", neighbors}}, neighbors == 24);
 
   list.begin ("CGAL bilateral");
   list.addDefault ({{"neighbors", 120}, {"sharpness angle", 25}, {"iterations", 2}});
-  for (const double neighbors : {12, 24})
+  for (const double neighbors : {12, 16, 24, 30})
     list.add ({{"neighbors", neighbors}, {"sharpness angle", 30}, {"iterations", 1}});
+}
 
+/** PCL's default order. It has no default radius: that of its tutorial is 3.4 spacings of the cloud there. */
+void
+addPcl (SettingList& list)
+{
   list.begin ("PCL MLS");
-  list.add ({{"order", 1}, {"radius", 1.5, spacings}});
-  list.add ({{"order", 1}, {"radius", 2, spacings}});
-  list.add ({{"order", 2}, {"radius", 2.5, spacings}});
-  list.add ({{"order", 2}, {"radius", 3, spacings}});
-  list.addDefault ({{"order", 2}, {"radius", 4, spacings}});
+  for (const auto& [order, radius] : {Pair {1, 1.5}, {1, 2}, {2, 2.5}, {2, 3}, {2, 3.4}, {2, 4}})
+    list.add ({{"order", order}, {"radius", radius, spacings}}, radius == 3.4);
 }
 } // namespace
 
@@ -109,8 +117,9 @@ peerSettings ()
 {
   SettingList list;
   addMeshLab (list);
-  addProjections (list);
-  addFits (list);
+  addLop (list);
+  addCgal (list);
+  addPcl (list);
   return list.settings;
 }
 
