@@ -43,7 +43,10 @@ def area_by_estimator(rows, model, noise):
     inside = len(named & set(order[:4]))
     lower = mean(medians[g] for g in named) < mean(medians[g] for g in GROUPS if g not in named)
     verdict = CONFIRMED if inside == 4 else PARTLY if lower and inside >= 2 else NOT_CONFIRMED
-    return verdict, f"{claim}: {inside} of these four groups are among the four lowest. Medians of E_A, in 1e-3: {_ranking(medians)}."
+    return (
+        verdict,
+        f"{claim}: {inside} of these four groups are among the four lowest. Medians of E_A, in 1e-3: {_ranking(medians)}.",
+    )
 
 
 def curvature_by_estimator(rows, model, noise, column="E_k15"):
@@ -74,7 +77,9 @@ def thresholded_best_on_area(study, noise):
     wins = [e for e in ESTIMATOR_NAMES if means[e, "T"] == min(means[e, w] for w in WEIGHT_NAMES)]
     verdict = CONFIRMED if len(wins) == 3 else PARTLY if wins else NOT_CONFIRMED
     by_weights = {w: mean(means[e, w] for e in ESTIMATOR_NAMES) for w in WEIGHT_NAMES}
-    figures = ", ".join(f"{WEIGHT_NAMES[w]} {format_number(1e3 * by_weights[w])}" for w in sorted(by_weights, key=by_weights.get))
+    figures = ", ".join(
+        f"{WEIGHT_NAMES[w]} {format_number(1e3 * by_weights[w])}" for w in sorted(by_weights, key=by_weights.get)
+    )
     names = " and ".join(ESTIMATOR_NAMES[e] for e in wins) if wins else "no estimator"
     return verdict, f"{claim}: so it is with {names}. Mean E_A over the three estimators, in 1e-3: {figures}."
 
@@ -88,7 +93,9 @@ def competitive_with_rimls(cases):
     area = sum(ours["E_A"] < rimls["E_A"] for ours, rimls in cases)
     curvature = sum(ours["E_k15"] < rimls["E_k15"] for ours, rimls in cases)
     need = len(cases) / 2
-    verdict = CONFIRMED if area >= need and curvature >= need else PARTLY if area >= need or curvature >= need else NOT_CONFIRMED
+    verdict = (
+        CONFIRMED if area >= need and curvature >= need else PARTLY if area >= need or curvature >= need else NOT_CONFIRMED
+    )
     return verdict, f"{claim}: E_A is lower than that of RIMLS in {area} of {len(cases)} cases, E_k (k 15) in {curvature}."
 
 

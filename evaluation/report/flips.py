@@ -38,13 +38,28 @@ def add(study, page, folder, stage, tools):
     panels = []
     for title, normals in fields:
         wrong = _angles(normals, truth)
-        actors = [coloured(geometry.surface(points, model.triangles)), _needles(points, normals, wrong, near, 1.3 * model.edge)]
+        actors = [
+            coloured(geometry.surface(points, model.triangles)),
+            _needles(points, normals, wrong, near, 1.3 * model.edge),
+        ]
         panels.append(Panel(title, stage.draw(actors, view), f"{wrong.mean():.1f}° off on average, over the whole model"))
-    image = save(panels, folder, "fig3", columns=3, width=3.7, aspect=view.aspect(), bar=("turbo", (0, WORST_DEGREES), "angle to the true normal, whatever its sign, degrees"))
+    image = save(
+        panels,
+        folder,
+        "fig3",
+        columns=3,
+        width=3.7,
+        aspect=view.aspect(),
+        bar=("turbo", (0, WORST_DEGREES), "angle to the true normal, whatever its sign, degrees"),
+    )
     page.figure(
-        image, f"Fig. 3, {style.model_title(name)}, {row['noise']}: normals by WPCA, k {K}, each with a random sign, as an eigenvector has; {ITERATIONS} iterations "
-        "of the Gaussian filter. Needles go to the side that the normal points to: those into the surface are hidden."
-    )  # fmt: skip
+        image,
+        (
+            f"Fig. 3, {style.model_title(name)}, {row['noise']}: normals by WPCA, k {K}, each with a random sign, as an"
+            f" eigenvector has; {ITERATIONS} iterations of the Gaussian filter. Needles go to the side that the normal"
+            " points to: those into the surface are hidden."
+        ),
+    )
 
 
 def _fields(points, path, tools):
@@ -58,7 +73,20 @@ def _fields(points, path, tools):
         fields = [("estimated normals, signs mixed", signs * normals)]
         for oriented, title in ((1, "filtered without flips"), (0, "filtered with flips")):
             filtered = os.path.join(folder, f"filtered_{oriented}.ply")
-            run(tools, "pcl_bilateral_normal_filter", mixed, filtered, "-k", K, "-normal_iterations", ITERATIONS, "-sigma_s", 0.3, "-oriented", oriented)
+            run(
+                tools,
+                "pcl_bilateral_normal_filter",
+                mixed,
+                filtered,
+                "-k",
+                K,
+                "-normal_iterations",
+                ITERATIONS,
+                "-sigma_s",
+                0.3,
+                "-oriented",
+                oriented,
+            )
             fields.append((title, geometry.normals_of(geometry.read_ply(filtered))))
     return fields
 

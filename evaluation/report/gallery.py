@@ -59,8 +59,8 @@ def shown_rows(study, model, noise):
 
 def add(study, page, folder, stage, progress):
     page.text(
-        "The clean mesh with its vertices where each method put them: same camera, same scale, same colours. Each peer, and the "
-        "paper's chain, at the setting that came nearest to the surface; below each picture its p2s ratio."
+        "The clean mesh with its vertices where each method put them: same camera, same scale, same colours. Each peer, and"
+        " the paper's chain, at the setting that came nearest to the surface; below each picture its p2s ratio."
     )
     if not study.models:
         page.gap("renderings", "the study has no model")
@@ -89,7 +89,13 @@ def _add_first(study, page, folder, stage, loaded):
             row = lowest(study.select(**where))
             panels.append(_panel(study, stage, model, f"{title}, {noise}", row, study.why_missing(**where), _plain))
     path = save(panels, folder, "fig1", columns=5, width=2.4, aspect=model.view.aspect())
-    page.figure(path, f"Fig. 1: {style.model_title(name)}. Original; noise along normals and in random directions; smoothed by our default.")
+    page.figure(
+        path,
+        (
+            f"Fig. 1: {style.model_title(name)}. Original; noise along normals and in random directions; smoothed by our"
+            " default."
+        ),
+    )
 
 
 def _plain(stage, model, points):
@@ -129,8 +135,16 @@ def _add_model(study, page, folder, stage, model):
 
         panels = [Panel("original", draw(stage, model, model.points))]
         panels += [_panel(study, stage, model, title, row, reason, draw) for title, row, reason in shown]
-        path = save(panels, folder, f"{model.name}_{noise}_{name}", aspect=model.view.aspect(), bar=(colours, (0, limit), label))
-        page.figure(path, f"{style.model_title(model.name).capitalize()}, {noise}, coloured by {label}. The scale ends where 95 % of the noisy points lie below.")
+        path = save(
+            panels, folder, f"{model.name}_{noise}_{name}", aspect=model.view.aspect(), bar=(colours, (0, limit), label)
+        )
+        page.figure(
+            path,
+            (
+                f"{style.model_title(model.name).capitalize()}, {noise}, coloured by {label}. The scale ends where 95 % of"
+                " the noisy points lie below."
+            ),
+        )
 
 
 def _distance(model, points):

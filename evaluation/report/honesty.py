@@ -14,8 +14,8 @@ from summary import combination
 def add(study, page, folder):
     page.section("honesty", "What E_A and E_k do not show")
     page.text(
-        "This page draws its conclusions from p2s, the distance to the clean surface, with the spread over the seeds. The paper's "
-        "measures are shown because its claims are about them; this is what the study measured about the measures."
+        "This page draws its conclusions from p2s, the distance to the clean surface, with the spread over the seeds. The"
+        " paper's measures are shown because its claims are about them; this is what the study measured about the measures."
     )
     add_printed_curvature(study, page)
     add_area(study, page, folder)
@@ -37,12 +37,15 @@ def add_printed_curvature(study, page):
         page.gap("factor between our E_k and the printed one", "no row of Table I has a result in this study")
         return
     page.text(
-        "E_k is the mean absolute difference of the surface variation &lambda;<sub>0</sub>/(&lambda;<sub>0</sub>+&lambda;<sub>1</sub>+"
-        "&lambda;<sub>2</sub>) (Pauly et al.). If that is what the paper measured, the factor between our figures and the printed ones "
-        "would be near 1 for some k, on every model. Over Table I's methods it goes from "
-        f"<b>{format_number(min(everything), 2)} to {format_number(max(everything), 2)}</b>:"
+        "E_k is the mean absolute difference of the surface variation"
+        " &lambda;<sub>0</sub>/(&lambda;<sub>0</sub>+&lambda;<sub>1</sub>+&lambda;<sub>2</sub>) (Pauly et al.). If that is"
+        " what the paper measured, the factor between our figures and the printed ones would be near 1 for some k, on every"
+        f" model. Over Table I's methods it goes from <b>{format_number(min(everything), 2)} to"
+        f" {format_number(max(everything), 2)}</b>:"
     )
-    page.table(["model", "our E_k / printed, k 7", "k 15", "k 21"], lines, caption="Lowest and highest over noises and methods.")
+    page.table(
+        ["model", "our E_k / printed, k 7", "k 15", "k 21"], lines, caption="Lowest and highest over noises and methods."
+    )
 
 
 def ranks(values):
@@ -70,17 +73,19 @@ def add_area(study, page, folder):
     worse = sum(row["p2s_ratio"] > 1 for row in small)
     example = max(small, key=lambda row: row["p2s_ratio"])
     page.text(
-        "Noise enlarges the area, smoothing shrinks it, and eq. 8 inflates curved surfaces: on its way from too large to too "
-        "small the area passes the true one whether or not the points are near the surface. Of the "
-        f"{len(small)} results with the lowest E_A (one in a hundred of the sweep), <b>{worse} lie farther from the surface than the "
-        f"noisy input</b>; for example {combination(example)} on {style.model_title(example['model'])}, {example['noise']}: E_A "
-        f"{format_number(1e3 * example['E_A'])}e-3, p2s ratio {example['p2s_ratio']:.2f}. "
+        "Noise enlarges the area, smoothing shrinks it, and eq. 8 inflates curved surfaces: on its way from too large to"
+        " too small the area passes the true one whether or not the points are near the surface. Of the"
+        f" {len(small)} results with the lowest E_A (one in a hundred of the sweep), <b>{worse} lie farther from the surface"
+        f" than the noisy input</b>; for example {combination(example)} on {style.model_title(example['model'])},"
+        f" {example['noise']}: E_A {format_number(1e3 * example['E_A'])}e-3, p2s ratio {example['p2s_ratio']:.2f}. "
         + _opposite_steps(rows)
     )
     _add_correlations(study, page, rows)
     path = _course(study, folder)
     if path:
-        page.figure(path, "E_A and p2s ratio over the point iterations, mean over the other choices of each estimator, at k 15.")
+        page.figure(
+            path, "E_A and p2s ratio over the point iterations, mean over the other choices of each estimator, at k 15."
+        )
 
 
 def _opposite_steps(rows):
@@ -94,7 +99,10 @@ def _opposite_steps(rows):
         steps += list(zip(course, course[1:]))
     worse = [(a, b) for a, b in steps if b["p2s_ratio"] > a["p2s_ratio"]]
     praised = sum(b["E_A"] < a["E_A"] for a, b in worse)
-    return f"More point iterations took the points farther from the surface in {len(worse)} of {len(steps)} steps of the sweep; E_A fell in {praised} of these."
+    return (
+        f"More point iterations took the points farther from the surface in {len(worse)} of {len(steps)} steps of the sweep;"
+        f" E_A fell in {praised} of these."
+    )
 
 
 def _add_correlations(study, page, rows):
@@ -110,7 +118,14 @@ def _add_correlations(study, page, rows):
                 value = rank_correlation([row[column] for row in there], [row["p2s_ratio"] for row in there])
                 cells.append(f"{value:.2f}" if value is not None else Gap("–"))
             lines.append(cells)
-    page.table(["model and noise", "E_A", "E_k, k 7", "E_k, k 15", "E_k, k 21"], lines, caption="Rank correlation (Spearman) with the p2s ratio over the sweep: 1 = orders the combinations as p2s does, 0 = says nothing, negative = prefers the worse.")
+    page.table(
+        ["model and noise", "E_A", "E_k, k 7", "E_k, k 15", "E_k, k 21"],
+        lines,
+        caption=(
+            "Rank correlation (Spearman) with the p2s ratio over the sweep: 1 = orders the combinations as p2s does, 0 ="
+            " says nothing, negative = prefers the worse."
+        ),
+    )
 
 
 def _course(study, folder):
@@ -118,7 +133,9 @@ def _course(study, folder):
     cases = [(m, n) for m in study.models for n in study.noises if study.sweep(model=m, noise=n, k=15)][:4]
     if not cases:
         return None
-    figure, axes = plt.subplots(2, len(cases), figsize=(2.9 * len(cases) + 0.6, 5), squeeze=False, sharex=True, layout="constrained")
+    figure, axes = plt.subplots(
+        2, len(cases), figsize=(2.9 * len(cases) + 0.6, 5), squeeze=False, sharex=True, layout="constrained"
+    )
     for column, (model, noise) in enumerate(cases):
         rows = study.sweep(model=model, noise=noise, k=15)
         for row, measure in enumerate(("E_A", "p2s_ratio")):
@@ -126,7 +143,13 @@ def _course(study, folder):
                 chosen = [r for r in rows if r["name"].startswith(estimator)]
                 course = [mean(r[measure] for r in chosen if r["point_iterations"] == step) for step in steps]
                 there = [(step, value) for step, value in zip(steps, course) if value is not None]
-                axes[row, column].plot(*zip(*there) if there else ([], []), "o-", color=colour, markersize=4, label=style.ESTIMATOR_NAMES[estimator])
+                axes[row, column].plot(
+                    *zip(*there) if there else ([], []),
+                    "o-",
+                    color=colour,
+                    markersize=4,
+                    label=style.ESTIMATOR_NAMES[estimator],
+                )
             axes[row, column].set(xscale="log", yscale="log")
             style.plain_ticks(axes[row, column].yaxis)
         axes[0, column].set_title(f"{style.model_title(model)}, {noise}")
@@ -146,10 +169,15 @@ def add_models(study, page):
     lines = []
     for name in names:
         model = study.find_model(name)
-        here = study.model_info.get(model, {}).get("points") or next((r["points"] for r in study.rows if r["model"] == model), None)
-        lines.append([style.model_title(name), str(points[name]), f"{here:.0f}" if model and here else Gap("not in this study")])
+        here = study.model_info.get(model, {}).get("points") or next(
+            (r["points"] for r in study.rows if r["model"] == model), None
+        )
+        lines.append(
+            [style.model_title(name), str(points[name]), f"{here:.0f}" if model and here else Gap("not in this study")]
+        )
     page.table(["model", "points in the paper", "points here"], lines)
     page.text(
-        "The paper's own Double Torus, Nicolo and Femur are not public as far as we know: a double torus is made in code here and is another "
-        "surface than the paper's; the other two are missing. The paper gives the Femur 15,185 points in Fig. 4 and 8,168 in Table I."
+        "The paper's own Double Torus, Nicolo and Femur are not public as far as we know: a double torus is made in code"
+        " here and is another surface than the paper's; the other two are missing. The paper gives the Femur 15,185 points"
+        " in Fig. 4 and 8,168 in Table I."
     )

@@ -22,7 +22,9 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("study", help="folder that pcl_smoothing_study wrote")
     parser.add_argument("-scan", help="a real scan, PCD or PLY, for Fig. 9")
-    parser.add_argument("-tools", default=os.path.join(ROOT, "build", "tools"), help="folder of the built tools, for Figs. 3 and 9")
+    parser.add_argument(
+        "-tools", default=os.path.join(ROOT, "build", "tools"), help="folder of the built tools, for Figs. 3 and 9"
+    )
     return parser.parse_args()
 
 

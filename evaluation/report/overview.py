@@ -9,7 +9,8 @@ from page import Gap, escape, format_number
 def lead(study):
     version = study.info.get("version")
     return (
-        f"Point cloud smoothing, every combination of Valdivia et al. (SIBGRAPI 2013) and its peers, on {len(study.models)} model(s)"
+        "Point cloud smoothing, every combination of Valdivia et al. (SIBGRAPI 2013) and its peers, on"
+        f" {len(study.models)} model(s)"
         + (f"; pcl_normal_smoothing {version}" if version else "")
     )
 
@@ -37,7 +38,10 @@ def add(study, page):
     command = study.info.get("command_line") or study.info.get("command")
     if command:
         command = " ".join(command) if isinstance(command, list) else command
-        page.text(f"Made by <code>{escape(command)}</code>; <code>rows.csv</code> and <code>rows.json</code> beside this report hold every row.")
+        page.text(
+            f"Made by <code>{escape(command)}</code>; <code>rows.csv</code> and <code>rows.json</code> beside this report"
+            " hold every row."
+        )
 
 
 def _add_models(study, page):
@@ -62,5 +66,12 @@ def add_gaps(study, page):
     if not groups:
         page.text("Nothing: every row of the study has a result.")
         return
-    lines = [[style.model_title(m), noise, name, str(len(rows)), status, reason] for (m, noise, name, status, reason), rows in groups.items()]
-    page.table(["model", "noise", "method", "rows", "status", "reason"], lines, caption="Rows that failed, or that could not be run.")
+    lines = [
+        [style.model_title(m), noise, name, str(len(rows)), status, reason]
+        for (m, noise, name, status, reason), rows in groups.items()
+    ]
+    page.table(
+        ["model", "noise", "method", "rows", "status", "reason"],
+        lines,
+        caption="Rows that failed, or that could not be run.",
+    )

@@ -127,7 +127,9 @@ class Page:
         parts = ['<div class="scroll"><table>']
         if caption:
             parts.append(f"<caption>{escape(caption)}</caption>")
-        parts.append("<thead><tr>" + "".join(_cell("th", text, numeric[i]) for i, text in enumerate(header)) + "</tr></thead><tbody>")
+        parts.append(
+            "<thead><tr>" + "".join(_cell("th", text, numeric[i]) for i, text in enumerate(header)) + "</tr></thead><tbody>"
+        )
         for index, row in enumerate(rows):
             kinds = [kind for kind, chosen in (("strong", strong), ("rule", rules)) if index in chosen]
             parts.append(f'<tr class="{" ".join(kinds)}">' if kinds else "<tr>")
@@ -137,13 +139,18 @@ class Page:
     def write(self, path):
         """Complete or not at all: beside the target first, then renamed."""
         contents = "".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title in self.contents)
-        verdicts = "".join(f"<li><b>{escape(verdict.capitalize())}</b>: {escape(text.split(': ')[0])}</li>" for verdict, text in self.verdicts)
+        verdicts = "".join(
+            f"<li><b>{escape(verdict.capitalize())}</b>: {escape(text.split(': ')[0])}</li>"
+            for verdict, text in self.verdicts
+        )
         parts = [f"<ul>{verdicts}</ul>" if part == VERDICTS else part for part in self.parts]
         text = (
             f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(self.title)}</title>'
             f'<meta name="viewport" content="width=device-width, initial-scale=1"><style>{STYLE}</style></head>\n'
             f'<body><main><h1>{escape(self.title)}</h1><p class="lead">{escape(self.lead)}</p>'
-            f'<nav aria-label="Contents"><ol>{contents}</ol></nav>\n' + "\n".join(parts) + "\n</main></body></html>\n"
+            f'<nav aria-label="Contents"><ol>{contents}</ol></nav>\n'
+            + "\n".join(parts)
+            + "\n</main></body></html>\n"
         )
         with open(path + ".part", "w", encoding="utf-8") as file:
             file.write(text)

@@ -35,7 +35,14 @@ def save(panels, folder, name, columns=4, width=2.75, aspect=1.3, bar=None):
         colours, limits, label = bar
         mappable = ScalarMappable(Normalize(*limits), colours)
         place = figure.colorbar(
-            mappable, ax=axes, location="bottom", fraction=0.04, aspect=50, pad=0.02, shrink=min(1, 7 / (columns * width)), extend="max"
+            mappable,
+            ax=axes,
+            location="bottom",
+            fraction=0.04,
+            aspect=50,
+            pad=0.02,
+            shrink=min(1, 7 / (columns * width)),
+            extend="max",
         )
         place.set_label(label)
         place.outline.set_visible(False)
@@ -46,7 +53,17 @@ def _draw(axis, panel, blank):
     axis.set_title(panel.title, loc="center", fontsize=9, pad=3)
     axis.imshow(blank if panel.image is None else panel.image, interpolation="antialiased")
     if panel.image is None:
-        axis.text(0.5, 0.5, f"gap\n{_wrapped(panel.reason)}", transform=axis.transAxes, ha="center", va="center", color="#8a8a8a", fontsize=7, style="italic")
+        axis.text(
+            0.5,
+            0.5,
+            f"gap\n{_wrapped(panel.reason)}",
+            transform=axis.transAxes,
+            ha="center",
+            va="center",
+            color="#8a8a8a",
+            fontsize=7,
+            style="italic",
+        )
     if panel.below:
         axis.text(0.5, -0.02, panel.below, transform=axis.transAxes, ha="center", va="top", fontsize=7.5, color="#444444")
 

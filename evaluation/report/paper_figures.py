@@ -10,13 +10,21 @@ from summary import combination
 
 MEASURES = (("E_A", "E_A"), ("E_k15", "E_k (k 15)"), ("p2s_ratio", "p2s ratio"))
 
+WORD_OFFSETS = {
+    "best": (12, -14),
+    "average": (22, -24),
+    "worst": (-18, -22),
+    "best area": (14, 18),
+    "worst curvature": (24, -3),
+}
+
 
 def add(study, page, folder):
     page.section("figures", "The paper's comparison: Figs. 6, 7 and 8")
     page.text(
-        "The 540 combinations of the paper: PCA (P), WPCA (WP) or Hough (H) normals; thresholded (T), Gaussian (G) or mixed (M) "
-        "weights; U for the point update; 7, 15 or 21 neighbours; 2 to 32 normal and 5 to 40 point iterations. The third "
-        "row of each figure, p2s, is not in the paper."
+        "The 540 combinations of the paper: PCA (P), WPCA (WP) or Hough (H) normals; thresholded (T), Gaussian (G) or mixed"
+        " (M) weights; U for the point update; 7, 15 or 21 neighbours; 2 to 32 normal and 5 to 40 point iterations. The"
+        " third row of each figure, p2s, is not in the paper."
     )
     add_box_plots(study, page, folder)
     add_mean_errors(study, page, folder)
@@ -32,8 +40,18 @@ def add_box_plots(study, page, folder):
             page.gap(f"Fig. 6, {noise}", study.why_missing(family="sweep", model=model, noise=noise))
             continue
         path = _box_plots(rows, folder, noise)
-        other = "" if model == study.find_model("elephant") else " The paper's model is the elephant, which is not in this study."
-        page.figure(path, f"Fig. 6, {style.model_title(model)}, {style.NOISE_NAMES.get(noise, noise)}. Boxes: quartiles and median; whiskers: all values.{other}")
+        other = (
+            ""
+            if model == study.find_model("elephant")
+            else " The paper's model is the elephant, which is not in this study."
+        )
+        page.figure(
+            path,
+            (
+                f"Fig. 6, {style.model_title(model)}, {style.NOISE_NAMES.get(noise, noise)}. Boxes: quartiles and median;"
+                f" whiskers: all values.{other}"
+            ),
+        )
         page.verdict(*claims.area_by_estimator(rows, style.model_title(model), noise))
         page.verdict(*claims.curvature_by_estimator(rows, style.model_title(model), noise))
 
@@ -48,7 +66,16 @@ def _box_plots(rows, folder, noise):
             if values:
                 _box(axis, values, place, style.ESTIMATOR_COLOURS[name.split("U")[0][:-1]])
             else:
-                axis.text(place, 0.02, "gap", transform=axis.get_xaxis_transform(), rotation=90, fontsize=7, color="#999999", ha="center")
+                axis.text(
+                    place,
+                    0.02,
+                    "gap",
+                    transform=axis.get_xaxis_transform(),
+                    rotation=90,
+                    fontsize=7,
+                    color="#999999",
+                    ha="center",
+                )
         axis.set_yscale("log")
         style.plain_ticks(axis.yaxis)
         axis.set_title(title)
@@ -56,16 +83,25 @@ def _box_plots(rows, folder, noise):
     axes[2].axhline(1, color=style.DARK, linewidth=0.9, linestyle="--")
     axes[2].set_xticks(places, names, rotation=90)
     handles = [plt.Rectangle((0, 0), 1, 1, color=c, alpha=0.55) for c in style.ESTIMATOR_COLOURS.values()]
-    axes[0].legend(handles, style.ESTIMATOR_NAMES.values(), ncols=3, loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0)
+    axes[0].legend(
+        handles, style.ESTIMATOR_NAMES.values(), ncols=3, loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0
+    )
     return style.save(figure, folder, f"fig6_{noise}")
 
 
 def _box(axis, values, place, colour):
     axis.boxplot(
-        [values], positions=[place], widths=0.75, whis=(0, 100), patch_artist=True, manage_ticks=False,
-        boxprops={"facecolor": colour, "alpha": 0.55, "edgecolor": colour}, medianprops={"color": style.DARK, "linewidth": 1.4},
-        whiskerprops={"color": colour}, capprops={"color": colour},
-    )  # fmt: skip
+        [values],
+        positions=[place],
+        widths=0.75,
+        whis=(0, 100),
+        patch_artist=True,
+        manage_ticks=False,
+        boxprops={"facecolor": colour, "alpha": 0.55, "edgecolor": colour},
+        medianprops={"color": style.DARK, "linewidth": 1.4},
+        whiskerprops={"color": colour},
+        capprops={"color": colour},
+    )
 
 
 def add_mean_errors(study, page, folder):
@@ -74,7 +110,9 @@ def add_mean_errors(study, page, folder):
     if not noises:
         page.gap("Fig. 7", study.why_missing(family="sweep"))
         return
-    figure, axes = plt.subplots(3, len(noises), figsize=(5.2 * len(noises), 7.6), sharex=True, squeeze=False, layout="constrained")
+    figure, axes = plt.subplots(
+        3, len(noises), figsize=(5.2 * len(noises), 7.6), sharex=True, squeeze=False, layout="constrained"
+    )
     for column, noise in enumerate(noises):
         for row, (measure, title) in enumerate(MEASURES):
             _mean_errors(axes[row, column], study, noise, measure)
@@ -83,7 +121,11 @@ def add_mean_errors(study, page, folder):
     style.legend_below(figure, axes[0, 0], 5)
     path = style.save(figure, folder, "fig7")
     page.figure(
-        path, "Fig. 7: mean over 3 neighbourhoods and 20 choices of iterations. Bars: mean over the models (blue PCA, green WPCA, orange Hough); marks: each model."
+        path,
+        (
+            "Fig. 7: mean over 3 neighbourhoods and 20 choices of iterations. Bars: mean over the models (blue PCA, green"
+            " WPCA, orange Hough); marks: each model."
+        ),
     )
     for noise in study.noises:
         page.verdict(*claims.thresholded_best_on_area(study, noise))
@@ -125,8 +167,16 @@ def add_scatter(study, page, folder):
     axes[1].axhline(1, color=style.DARK, linewidth=0.9, linestyle="--")
     style.legend_below(figure, axes[0], 3)
     path = style.save(figure, folder, "fig8")
-    told = "; ".join(f"{what}: {combination(row)} (p2s ratio {row['p2s_ratio']:.2f})" for what, row in marked.items() if row["p2s_ratio"])
-    page.figure(path, f"Fig. 8: {len(rows)} combinations, one seed. Best and worst: lowest and highest sum of E_A and E_k, each over its median; average: the middle one. {told}.")
+    told = "; ".join(
+        f"{what}: {combination(row)} (p2s ratio {row['p2s_ratio']:.2f})" for what, row in marked.items() if row["p2s_ratio"]
+    )
+    page.figure(
+        path,
+        (
+            f"Fig. 8: {len(rows)} combinations, one seed. Best and worst: lowest and highest sum of E_A and E_k, each over"
+            f" its median; average: the middle one. {told}."
+        ),
+    )
 
 
 def marked_rows(rows):
@@ -134,9 +184,12 @@ def marked_rows(rows):
     scores = claims.combined_score(rows, rows)
     order = sorted(rows, key=lambda row: scores[id(row)])
     return {
-        "best": order[0], "average": order[len(order) // 2], "worst": order[-1],
-        "best area": min(rows, key=lambda row: row["E_A"]), "worst curvature": max(rows, key=lambda row: row["E_k15"]),
-    }  # fmt: skip
+        "best": order[0],
+        "average": order[len(order) // 2],
+        "worst": order[-1],
+        "best area": min(rows, key=lambda row: row["E_A"]),
+        "worst curvature": max(rows, key=lambda row: row["E_k15"]),
+    }
 
 
 def _scatter(axis, rows, column, marked):
@@ -144,16 +197,36 @@ def _scatter(axis, rows, column, marked):
         for weights, mark in zip("TGM", "o^s"):
             chosen = [r for r in rows if estimator_of(r) == estimator and weights_of(r) == weights and r[column]]
             label = f"{style.ESTIMATOR_NAMES[estimator]}, {style.WEIGHT_NAMES[weights]}"
-            axis.plot([r["E_A"] for r in chosen], [r[column] for r in chosen], mark, color=colour, markersize=3.6, alpha=0.6, markeredgewidth=0, label=label)
-    offsets = {"best": (12, -14), "average": (22, -24), "worst": (-18, -22), "best area": (14, 18), "worst curvature": (24, -3)}
+            axis.plot(
+                [r["E_A"] for r in chosen],
+                [r[column] for r in chosen],
+                mark,
+                color=colour,
+                markersize=3.6,
+                alpha=0.6,
+                markeredgewidth=0,
+                label=label,
+            )
     for what, row in marked.items():
         if row[column]:
-            axis.plot(row["E_A"], row[column], "o", markersize=9, markerfacecolor="none", markeredgecolor=style.RED, markeredgewidth=1.6)
-            axis.annotate(
-                what, (row["E_A"], row[column]), xytext=offsets[what], textcoords="offset points", color=style.RED, fontsize=9, weight="bold",
-                arrowprops={"arrowstyle": "-", "color": style.RED, "linewidth": 0.8}, bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 1},
-            )  # fmt: skip
+            _mark(axis, what, row["E_A"], row[column])
     axis.set(xscale="log", yscale="log", xlabel="E_A")
     axis.margins(0.08)
     style.plain_ticks(axis.xaxis)
     style.plain_ticks(axis.yaxis)
+
+
+def _mark(axis, what, x, y):
+    """A circle and a word beside it."""
+    axis.plot(x, y, "o", markersize=9, markerfacecolor="none", markeredgecolor=style.RED, markeredgewidth=1.6)
+    axis.annotate(
+        what,
+        (x, y),
+        xytext=WORD_OFFSETS[what],
+        textcoords="offset points",
+        color=style.RED,
+        fontsize=9,
+        weight="bold",
+        arrowprops={"arrowstyle": "-", "color": style.RED, "linewidth": 0.8},
+        bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 1},
+    )

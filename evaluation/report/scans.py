@@ -37,9 +37,12 @@ def add(page, folder, stage, tools, scan):
     image = save(panels, folder, "fig9", columns=3, width=3.7, aspect=view.aspect())
     part = " (a part of it is shown)" if len(raw) > WHOLE else ""
     page.figure(
-        image, f"Fig. 9: {os.path.basename(scan)}, {len(raw)} points, as it came from the scanner{part}; no truth is known. Each point is a disc across its normal (WPCA, "
-        "k 9, on the cloud shown)."
-    )  # fmt: skip
+        image,
+        (
+            f"Fig. 9: {os.path.basename(scan)}, {len(raw)} points, as it came from the scanner{part}; no truth is known."
+            " Each point is a disc across its normal (WPCA, k 9, on the cloud shown)."
+        ),
+    )
 
 
 def _cloud(scan, preset, tools, work):
@@ -65,7 +68,11 @@ def scan_view(points, normals):
         inner = _within(points, low, high)
     else:
         edges = numpy.percentile(points[:, :2], [4, 35, 65, 96], axis=0)
-        windows = [_within(points, (edges[i, 0], edges[j, 1]), (edges[i + 1, 0], edges[j + 1, 1])) for i in range(3) for j in range(3)]
+        windows = [
+            _within(points, (edges[i, 0], edges[j, 1]), (edges[i + 1, 0], edges[j + 1, 1]))
+            for i in range(3)
+            for j in range(3)
+        ]
         inner = max(windows, key=lambda window: _unlikeness(normals[window]))
     inner = points[inner] if inner.any() else points
     if (points[:, 2] > 0).all():
@@ -83,22 +90,27 @@ def _unlikeness(normals):
 
 
 def _discs(points, normals, radii):
-    disc = vtkDiskSource()
-    disc.SetInnerRadius(0)
-    disc.SetOuterRadius(1)
-    disc.SetCircumferentialResolution(8)
-    turn = vtkTransform()
-    turn.RotateY(90)  # glyphs turn x into the normal
-    turned = vtkTransformPolyDataFilter()
-    turned.SetInputConnection(disc.GetOutputPort())
-    turned.SetTransform(turn)
     data = geometry.surface(points, numpy.zeros((0, 3), int))
     data.GetPointData().SetNormals(numpy_to_vtk(numpy.ascontiguousarray(normals, dtype=numpy.float32), deep=True))
     data.GetPointData().SetScalars(numpy_to_vtk(numpy.minimum(radii, 4 * numpy.median(radii)), deep=True))
     glyphs = vtkGlyph3D()
     glyphs.SetInputData(data)
-    glyphs.SetSourceConnection(turned.GetOutputPort())
+    glyphs.SetSourceConnection(_disc().GetOutputPort())
     glyphs.SetVectorModeToUseNormal()
     glyphs.SetScaleModeToScaleByScalar()
     glyphs.Update()
     return coloured(glyphs.GetOutput())
+
+
+def _disc():
+    """Of radius 1, across x: glyphs turn x into the normal."""
+    disc = vtkDiskSource()
+    disc.SetInnerRadius(0)
+    disc.SetOuterRadius(1)
+    disc.SetCircumferentialResolution(8)
+    turn = vtkTransform()
+    turn.RotateY(90)
+    turned = vtkTransformPolyDataFilter()
+    turned.SetInputConnection(disc.GetOutputPort())
+    turned.SetTransform(turn)
+    return turned

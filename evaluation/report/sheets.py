@@ -41,7 +41,13 @@ def add(study, page, folder):
             axis.text(0.5, 0.5, f"gap: {reason}", transform=axis.transAxes, ha="center", color="#8a8a8a", style="italic")
     axes[-1].set_xlabel("mean edge lengths")
     image = style.save(figure, folder, "fig10")
-    page.figure(image, f"Fig. 10: two parallel sheets, {noise}, a slice across them; heights stretched. Lines: the clean surface; dots: points.")
+    page.figure(
+        image,
+        (
+            f"Fig. 10: two parallel sheets, {noise}, a slice across them; heights stretched. Lines: the clean surface; dots:"
+            " points."
+        ),
+    )
 
 
 def _frame(points):

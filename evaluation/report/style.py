@@ -56,6 +56,8 @@ def save(figure, folder, name, dpi=150):
     os.makedirs(folder, exist_ok=True)
     path = os.path.join(folder, name + ".png")
     figure.savefig(path, dpi=dpi, bbox_inches="tight", pad_inches=0.08)
-    figure.savefig(os.path.join(folder, name + ".svg"), dpi=dpi, bbox_inches="tight", pad_inches=0.08, metadata={"Date": None})
+    figure.savefig(
+        os.path.join(folder, name + ".svg"), dpi=dpi, bbox_inches="tight", pad_inches=0.08, metadata={"Date": None}
+    )
     plt.close(figure)
     return path

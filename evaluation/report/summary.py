@@ -6,7 +6,9 @@ from study import NUMBERS, mean, ordered
 PRESETS = ("default", "fast", "paper")
 PEERS = ("APSS", "RIMLS", "WLOP", "LOP", "CGAL jet", "CGAL bilateral", "PCL MLS")
 DEFAULT_MARK = " (default)"
-MEASURES = [name for name in NUMBERS if name not in ("points", "sigma", "seed", "k", "normal_iterations", "point_iterations")]
+MEASURES = [
+    name for name in NUMBERS if name not in ("points", "sigma", "seed", "k", "normal_iterations", "point_iterations")
+]
 
 
 class Entry:
@@ -92,7 +94,11 @@ def peer_entries(study, peer, **where):
 
 def entries(study, **where):
     """Every method of the study on model=, noise=, sigma=, in a fixed order; those without a result say why."""
-    found = [Entry("noisy input", "noisy", study.select(family="noisy", **where), reason=study.why_missing(family="noisy", **where))]
+    found = [
+        Entry(
+            "noisy input", "noisy", study.select(family="noisy", **where), reason=study.why_missing(family="noisy", **where)
+        )
+    ]
     for preset in PRESETS:
         rows = study.select(family="ours", name=preset, **where)
         found.append(Entry(f"ours: {preset}", "ours", rows, reason=study.why_missing(family="ours", name=preset, **where)))

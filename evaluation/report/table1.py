@@ -17,7 +17,12 @@ def printed_rows():
     """Table I as the paper prints it: dictionaries with model, points, noise, method, parameters, E_A, E_k (not in 1e-3)."""
     with open(PRINTED, newline="", encoding="utf-8") as file:
         return [
-            {**line, "E_A": float(line["E_A_1e-3"]) / 1e3, "E_k": float(line["E_k_1e-3"]) / 1e3, "points": int(line["points"])}
+            {
+                **line,
+                "E_A": float(line["E_A_1e-3"]) / 1e3,
+                "E_k": float(line["E_k_1e-3"]) / 1e3,
+                "points": int(line["points"]),
+            }
             for line in csv.DictReader(file)
         ]
 
@@ -43,27 +48,47 @@ def compared(study):
 def add(study, page):
     page.section("table1", "Table I: our runs beside the paper's figures")
     page.text(
-        "The best of each method by E_A and E_k together, as the paper chose: the lowest sum of the two, each over its median in "
-        "the sweep. E_k depends on the number of neighbours, which the paper does not give: all three are shown. E in 1e-3. "
-        "LOP, WLOP: support radius h, &mu;; APSS: filter scale, spherical parameter; RIMLS: filter scale, sharpness; ours: "
-        "name, normal iterations, point iterations. The paper's LOP and WLOP lengths are in units of its own models."
+        "The best of each method by E_A and E_k together, as the paper chose: the lowest sum of the two, each over its"
+        " median in the sweep. E_k depends on the number of neighbours, which the paper does not give: all three are shown."
+        " E in 1e-3. LOP, WLOP: support radius h, &mu;; APSS: filter scale, spherical parameter; RIMLS: filter scale,"
+        " sharpness; ours: name, normal iterations, point iterations. The paper's LOP and WLOP lengths are in units of its"
+        " own models."
     )
     pairs = compared(study)
     table = [_line(study, printed, row) for printed, row in pairs]
     rules = [index for index in range(len(pairs)) if index and index % len(METHODS) == 0]
     page.table(
-        ["model", "noise", "method", "paper: parameters", "paper: E_A", "paper: E_k", "rerun: parameters", "E_A", "E_k, k 7", "k 15", "k 21", "p2s ratio"],
-        table, rules=rules, caption="Left: as printed; right: this study.",
-    )  # fmt: skip
+        [
+            "model",
+            "noise",
+            "method",
+            "paper: parameters",
+            "paper: E_A",
+            "paper: E_k",
+            "rerun: parameters",
+            "E_A",
+            "E_k, k 7",
+            "k 15",
+            "k 21",
+            "p2s ratio",
+        ],
+        table,
+        rules=rules,
+        caption="Left: as printed; right: this study.",
+    )
     page.verdict(*claims.competitive_with_rimls(_cases(pairs)))
     page.verdict(*claims.competitive_by_distance(_cases_by_distance(study)))
 
 
 def _line(study, printed, row):
     left = [
-        style.model_title(printed["model"]), printed["noise"], printed["method"], f"({printed['parameters']})",
-        printed["E_A_1e-3"], printed["E_k_1e-3"],
-    ]  # fmt: skip
+        style.model_title(printed["model"]),
+        printed["noise"],
+        printed["method"],
+        f"({printed['parameters']})",
+        printed["E_A_1e-3"],
+        printed["E_k_1e-3"],
+    ]
     if row is None:
         model = study.find_model(printed["model"])
         if not model:

@@ -14,7 +14,17 @@ HEADER = (
 
 
 def row(model, noise, family, name, seed=1, **values):
-    return {"model": model, "points": 81, "noise": noise, "sigma": 0.2, "seed": seed, "family": family, "name": name, "status": "ok", **values}
+    return {
+        "model": model,
+        "points": 81,
+        "noise": noise,
+        "sigma": 0.2,
+        "seed": seed,
+        "family": family,
+        "name": name,
+        "status": "ok",
+        **values,
+    }
 
 
 def sweep(model, noise, area, curvature, ratio):
@@ -23,10 +33,20 @@ def sweep(model, noise, area, curvature, ratio):
     for choice in itertools.product(("P", "WP", "H"), "TGM", (7, 15, 21), (2, 4, 8, 16, 32), (5, 10, 20, 40)):
         estimator, weights, k, normal, point = choice
         errors = {"E_A": area(*choice), "E_k7": curvature(*choice), "E_k15": curvature(*choice), "E_k21": curvature(*choice)}
-        rows.append(row(
-            model, noise, "sweep", f"{estimator}{weights}U{k}", k=k, normal_iterations=normal, point_iterations=point,
-            p2s_ratio=ratio(*choice), seconds=0.5, **errors,
-        ))  # fmt: skip
+        rows.append(
+            row(
+                model,
+                noise,
+                "sweep",
+                f"{estimator}{weights}U{k}",
+                k=k,
+                normal_iterations=normal,
+                point_iterations=point,
+                p2s_ratio=ratio(*choice),
+                seconds=0.5,
+                **errors,
+            )
+        )
     return rows
 
 
@@ -49,9 +69,13 @@ def write_study(folder, rows, models=("double_torus",)):
     for model in models:
         write_wave(os.path.join(folder, "models", model + ".ply"))
     info = {
-        "version": "1.2.3", "command_line": "pcl_smoothing_study <out>", "noises": ["GN", "GR"], "sigmas": [0.2], "seeds": [1, 2],
+        "version": "1.2.3",
+        "command_line": "pcl_smoothing_study <out>",
+        "noises": ["GN", "GR"],
+        "sigmas": [0.2],
+        "seeds": [1, 2],
         "models": [{"name": m, "file": f"models/{m}.ply", "points": 81, "mean_edge": 1.1, "source": "test"} for m in models],
-    }  # fmt: skip
+    }
     with open(os.path.join(folder, "study.json"), "w", encoding="utf-8") as file:
         json.dump(info, file)
     with open(os.path.join(folder, "rows.csv"), "w", newline="", encoding="utf-8") as file:
@@ -70,20 +94,66 @@ def typical_rows(folder):
     rows = []
     for noise, seed in itertools.product(("GN", "GR"), (1, 2)):
         first = seed == 1
-        rows.append(row("double_torus", noise, "noisy", "noisy", seed, p2s_ratio=1, cloud="clouds/case/noisy.ply" if first else ""))
+        rows.append(
+            row("double_torus", noise, "noisy", "noisy", seed, p2s_ratio=1, cloud="clouds/case/noisy.ply" if first else "")
+        )
         for preset, ratio in (("default", 0.271), ("fast", 0.312), ("paper", 1.507)):
             cloud = "clouds/case/default.ply" if first and preset == "default" else ""
-            rows.append(row("double_torus", noise, "ours", preset, seed, p2s_ratio=ratio + 0.02 * (seed - 1), seconds=0.125, cloud=cloud))
+            rows.append(
+                row(
+                    "double_torus",
+                    noise,
+                    "ours",
+                    preset,
+                    seed,
+                    p2s_ratio=ratio + 0.02 * (seed - 1),
+                    seconds=0.125,
+                    cloud=cloud,
+                )
+            )
     rows += sweep(
-        "double_torus", "GN",
+        "double_torus",
+        "GN",
         area=lambda e, w, k, n, p: 1e-3 * (1 + (e == "WP") + 2 * (k == 21) + 0.5 * "TGM".index(w)) + 1e-6 * p,
         curvature=lambda e, w, k, n, p: 1e-3 * (2 if (e, k) == ("P", 15) else 3) + 1e-6 * n,
         ratio=lambda e, w, k, n, p: 0.8 + 0.01 * p + 0.001 * n + 0.1 * "TGM".index(w),
-    )  # fmt: skip
+    )
     for noise in ("GN", "GR"):
         errors = {"E_A": 9e-3, "E_k7": 4e-3, "E_k15": 4e-3, "E_k21": 4e-3}
-        rows.append(row("double_torus", noise, "peer", "RIMLS", parameters="filter scale 3, sharpness 0.75 (default)", p2s_ratio=0.617, **errors))
-        rows.append(row("double_torus", noise, "peer", "RIMLS", parameters="filter scale 4, sharpness 1", p2s_ratio=0.543, **errors))
-        rows.append(row("double_torus", noise, "peer", "LOP", parameters="h 3 (default)", status="failed", reason="timed out after 7 s <&>"))
-        rows.append(row("double_torus", noise, "peer", "APSS", parameters="filter scale 2 (default)", status="absent", reason="meshlabserver is not installed"))
+        rows.append(
+            row(
+                "double_torus",
+                noise,
+                "peer",
+                "RIMLS",
+                parameters="filter scale 3, sharpness 0.75 (default)",
+                p2s_ratio=0.617,
+                **errors,
+            )
+        )
+        rows.append(
+            row("double_torus", noise, "peer", "RIMLS", parameters="filter scale 4, sharpness 1", p2s_ratio=0.543, **errors)
+        )
+        rows.append(
+            row(
+                "double_torus",
+                noise,
+                "peer",
+                "LOP",
+                parameters="h 3 (default)",
+                status="failed",
+                reason="timed out after 7 s <&>",
+            )
+        )
+        rows.append(
+            row(
+                "double_torus",
+                noise,
+                "peer",
+                "APSS",
+                parameters="filter scale 2 (default)",
+                status="absent",
+                reason="meshlabserver is not installed",
+            )
+        )
     return rows

@@ -37,7 +37,10 @@ SECTIONS = "summary run results pictures figures table1 honesty gaps".split()
 def make_page(folder):
     """Runs the report. Returns the page as it is, and as text."""
     done = subprocess.run(
-        [sys.executable, os.path.join(REPORT, "make_report.py"), folder, "-tools", TOOLS], capture_output=True, text=True, check=False
+        [sys.executable, os.path.join(REPORT, "make_report.py"), folder, "-tools", TOOLS],
+        capture_output=True,
+        text=True,
+        check=False,
     )
     if done.returncode != 0:
         raise AssertionError(done.stderr)
@@ -55,7 +58,10 @@ class PrintedTable(unittest.TestCase):
         keys = [(row["model"], row["noise"], row["method"]) for row in self.rows]
         self.assertEqual(len(set(keys)), 50)
         self.assertEqual([{key[i] for key in keys} for i in (1, 2)], [{"GN", "GR"}, set(table1.METHODS)])
-        self.assertEqual({(r["model"], r["points"]) for r in self.rows}, {("double_torus", 4350), ("elephant", 24955), ("fandisk", 25894), ("nicolo", 25239), ("femur", 8168)})
+        self.assertEqual(
+            {(r["model"], r["points"]) for r in self.rows},
+            {("double_torus", 4350), ("elephant", 24955), ("fandisk", 25894), ("nicolo", 25239), ("femur", 8168)},
+        )
 
     def test_errors_are_in_the_printed_range(self):
         area = [float(row["E_A_1e-3"]) for row in self.rows]
@@ -74,7 +80,10 @@ class PrintedTable(unittest.TestCase):
 
 class Numbers(unittest.TestCase):
     def test_no_powers_of_ten(self):
-        self.assertEqual([format_number(v) for v in (None, 0, 0.27149, 52.225, 123456.0, 0.00001234)], [None, "0", "0.271", "52.2", "123456", "0.000012"])
+        self.assertEqual(
+            [format_number(v) for v in (None, 0, 0.27149, 52.225, 123456.0, 0.00001234)],
+            [None, "0", "0.271", "52.2", "123456", "0.000012"],
+        )
 
     def test_means_leave_out_what_is_missing(self):
         self.assertAlmostEqual(geometric_mean([0.5, None, 2.0]), 1)
@@ -168,7 +177,9 @@ class WholePage(unittest.TestCase):
         self.assertRegex(self.page, f"<td>RIMLS: best</td><td[^>]*>{min(rimls):.3f}</td>")
 
     def test_table_holds_printed_and_measured(self):
-        line = re.search(r"double torus\s+GN\s+Ours\s+\(PTU7, 32, 5\)\s+0\.59\s+0\.31\s+(\w+), (\d+), (\d+)\s+([\d.]+)", self.text)
+        line = re.search(
+            r"double torus\s+GN\s+Ours\s+\(PTU7, 32, 5\)\s+0\.59\s+0\.31\s+(\w+), (\d+), (\d+)\s+([\d.]+)", self.text
+        )
         self.assertIsNotNone(line)
         self.assertEqual(line.groups(), ("PTU15", "2", "5", format_number(1e3 * (1e-3 + 5e-6))))
 
@@ -182,7 +193,9 @@ class WholePage(unittest.TestCase):
     def test_verdicts_are_computed(self):
         self.assertRegex(self.text, r"Confirmed\.\s+Curvature error is lowest with PCA k 15 \(double torus, GN\)")
         self.assertRegex(self.text, r"Confirmed\.\s+Thresholded weights have the lowest area error, over all models \(GN\)")
-        self.assertRegex(self.text, r"Cannot be told\.\s+Thresholded weights have the lowest area error, over all models \(GR\)")
+        self.assertRegex(
+            self.text, r"Cannot be told\.\s+Thresholded weights have the lowest area error, over all models \(GR\)"
+        )
 
 
 class PoorStudies(unittest.TestCase):
@@ -214,7 +227,10 @@ class PoorStudies(unittest.TestCase):
 
     def test_best_setting_is_chosen_by_the_first_seed(self):
         with tempfile.TemporaryDirectory() as folder:
-            rows = [fixture.row("m", "GN", "peer", "RIMLS", seed, parameters="a", p2s_ratio=r) for seed, r in ((1, 0.5), (2, 0.9))]
+            rows = [
+                fixture.row("m", "GN", "peer", "RIMLS", seed, parameters="a", p2s_ratio=r)
+                for seed, r in ((1, 0.5), (2, 0.9))
+            ]
             rows.append(fixture.row("m", "GN", "peer", "RIMLS", parameters="b", p2s_ratio=0.6))
             fixture.write_study(folder, rows, ["m"])
             best = summary.peer_entries(Study(folder), "RIMLS", model="m", noise="GN")[1]
