@@ -2,11 +2,8 @@
 #include "meshlab.h"
 
 #include "cloud_graph.h"
-#include "output_file.h"
-
-#include <pcl/conversions.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
+#include "field_values.h"
+#include "point_file.h"
 
 #include <filesystem>
 #include <sstream>
@@ -68,18 +65,17 @@ filterScript (const PeerSetting& setting)
 void
 writeMeshLabInput (const WorkFolder& folder, const PeerSetting& setting, const std::vector<Eigen::Vector3d>& points)
 {
-  pcl::PointCloud<pcl::PointXYZ> cloud;
+  std::string ply = "ply\nformat ascii 1.0\nelement vertex " + std::to_string (points.size ()) +
+                    "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
   for (const auto& point : points) {
-    const Eigen::Vector3f p = point.cast<float> ();
-    cloud.push_back ({p.x (), p.y (), p.z ()});
+    for (const double coordinate : point) {
+      tools::appendFloat (static_cast<float> (coordinate), ply);
+      ply += ' ';
+    }
+    ply += '\n';
   }
-  tools::CloudFile file;
-  file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
-  pcl::toPCLPointCloud2 (cloud, *file.cloud);
-  tools::saveCloud (file, folder.file (input_name), tools::FileFormat::BINARY);
-  tools::OutputFile script (folder.file (script_name));
-  script.write (filterScript (setting));
-  script.commit ();
+  writeBytes (folder.file (input_name), ply);
+  writeBytes (folder.file (script_name), filterScript (setting));
 }
 
 std::vector<std::string>

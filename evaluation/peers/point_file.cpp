@@ -22,15 +22,20 @@ fail (const std::string& path, const std::string& what)
 } // namespace
 
 void
-writePoints (const std::string& path, const std::vector<Point>& points)
+writeBytes (const std::string& path, std::string_view bytes)
 {
   errno = 0;
   std::ofstream file (path, std::ios::binary);
-  file.write (reinterpret_cast<const char*> (points.data ()),
-              static_cast<std::streamsize> (points.size () * sizeof (Point)));
+  file.write (bytes.data (), static_cast<std::streamsize> (bytes.size ()));
   file.close ();
   if (!file)
     fail (path, std::string ("cannot be written: ") + std::strerror (errno));
+}
+
+void
+writePoints (const std::string& path, const std::vector<Point>& points)
+{
+  writeBytes (path, {reinterpret_cast<const char*> (points.data ()), points.size () * sizeof (Point)});
 }
 
 std::vector<Point>

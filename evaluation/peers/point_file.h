@@ -4,10 +4,16 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pcl_normal_smoothing::evaluation
 {
+
+/** Writes a file in a run's own folder. Unlike the tools' OutputFile it may be used by several threads at once.
+  * \throw std::runtime_error where the disk is full */
+void
+writeBytes (const std::string& path, std::string_view bytes);
 
 /** Writes x, y, z of each point as doubles, as this machine holds them. \throw std::runtime_error */
 void
