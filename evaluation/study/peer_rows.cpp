@@ -29,19 +29,30 @@ bestRow (const Case& that, const std::string& peer, const Results& results)
   return best;
 }
 
-/** All settings for the first seed, the default and what was best there for the others. Before the first seed is done all that
-  * could be the best count as the default. */
+/** All settings for the first seed, and what was best there for the others: the defaults are the slowest. */
 bool
 isWanted (const StudyOptions& options, const Case& that, const PeerSetting& setting, const Results& results)
 {
-  if (setting.is_default)
-    return true;
-  if (options.small || that.isFirst ())
-    return !options.small;
+  if (that.isFirst ())
+    return setting.is_default || !options.small;
   Case first = that;
   first.seed = 1;
   const Row* best = bestRow (first, setting.peer, results);
-  return best && best->parameters == setting.parameters;
+  return best && best->key () == rowOf (first, setting).key ();
+}
+
+/** How many peers have nothing to repeat for another seed: not yet, or not at all. */
+std::size_t
+peersWithoutBest (const StudyOptions& options, const Case& that, const Results& results)
+{
+  if (!options.peers || that.isFirst ())
+    return 0;
+  Case first = that;
+  first.seed = 1;
+  const std::vector<PeerSetting> settings = peerSettings ();
+  return static_cast<std::size_t> (std::count_if (settings.begin (), settings.end (), [&] (const PeerSetting& setting) {
+    return setting.is_default && !bestRow (first, setting.peer, results);
+  }));
 }
 
 std::vector<PeerSetting>
@@ -111,13 +122,16 @@ take (const CaseWork& work, const PeerSetting& setting, const PeerResult& result
 void
 planPeers (const StudyOptions& options, const Case& that, const Results& results, Progress& progress)
 {
-  for (std::size_t i = missing (options, that, results).size (); i > 0; --i)
+  const std::size_t count = missing (options, that, results).size () + peersWithoutBest (options, that, results);
+  for (std::size_t i = 0; i < count; ++i)
     progress.plan (Work::PEER, that.model.mesh.vertices.size ());
 }
 
 void
 workOnPeers (const CaseWork& work)
 {
+  for (std::size_t i = peersWithoutBest (work.options, work.that, work.results); i > 0; --i)
+    work.progress.skip (Work::PEER, work.noisy.size ());
   std::vector<PeerSetting> settings;
   for (const PeerSetting& setting : missing (work.options, work.that, work.results))
     if (const auto reason = whyAbsent (setting.peer))

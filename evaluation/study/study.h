@@ -23,7 +23,7 @@ struct StudyOptions
   std::vector<tools::NoiseType> noises {tools::NoiseType::GN, tools::NoiseType::GR};
   /** In mean edge lengths. */
   std::vector<double> sigmas {0.2};
-  /** Seeds 1 to this. The sweep is for the first alone; of each peer, those behind it get the default and the best. */
+  /** Seeds 1 to this. The sweep is for the first alone; of each peer, those behind it get what was best with it. */
   int seeds = 3;
   bool sweep = true;
   /** Of the sweep; everything else is measured whole. */
