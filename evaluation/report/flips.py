@@ -32,7 +32,7 @@ def add(study, page, folder, stage, tools):
     except (geometry.Unreadable, ToolTrouble) as error:
         page.gap("Fig. 3", str(error))
         return
-    truth = _vertex_normals(model)
+    truth = model.normals()
     points = model.cloud(path)
     near, view = _patch(model)
     panels = []
@@ -89,15 +89,6 @@ def _fields(points, path, tools):
             )
             fields.append((title, geometry.normals_of(geometry.read_ply(filtered))))
     return fields
-
-
-def _vertex_normals(model):
-    corners = model.points[model.triangles]
-    faces = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normals = numpy.zeros_like(model.points)
-    for corner in range(3):
-        numpy.add.at(normals, model.triangles[:, corner], faces)
-    return normals / numpy.maximum(numpy.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
 
 
 def _angles(normals, truth):

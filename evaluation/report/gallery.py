@@ -34,6 +34,15 @@ class Model:
             raise geometry.Unreadable(f"{path} holds {len(points)} points, the mesh {len(self.points)}")
         return points
 
+    def normals(self):
+        """Of the vertices, weighted by area."""
+        corners = self.points[self.triangles]
+        faces = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        normals = numpy.zeros_like(self.points)
+        for corner in range(3):
+            numpy.add.at(normals, self.triangles[:, corner], faces)
+        return normals / numpy.maximum(numpy.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+
 
 def lowest(rows):
     """The row with a kept cloud and the lowest p2s ratio, or None."""

@@ -22,6 +22,6 @@ def add(study, page, folder, tools, scan, progress):
             progress("normals, scan, sheets")
             flips.add(study, page, folder, stage, tools)
             scans.add(page, folder, stage, tools, scan)
-            sheets.add(study, page, folder)
+            sheets.add(study, page, folder, tools)
     except NoDisplay as error:
         page.gap("all renderings", str(error))
