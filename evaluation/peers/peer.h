@@ -20,7 +20,8 @@ struct PeerSetting
   std::string parameters;
   /** The peer's own default. Exactly one setting of each peer is. */
   bool is_default = false;
-  /** By name, what the adapter of this peer reads. Lengths are in spacings: mean distances to the 6 nearest neighbors. */
+  /** By name, what the adapter of this peer reads. Lengths are in spacings of the noisy cloud: the mean over its points of
+    * the mean distance to the 6 nearest others. */
   std::map<std::string, double> values;
 };
 
@@ -52,13 +53,16 @@ struct PeerResult
 std::vector<PeerSetting>
 peerSettings ();
 
-/** Smooths \a noisy as a process of its own. Never throws for what the peer does: a crash, a non-zero status, a time-out and
-  * output of another size or with numbers that are not finite are all failures. */
+/** Smooths \a noisy as a process of its own, which sees the cloud at the origin with a diagonal of 1. A point that the peer
+  * drops, as PCL's MLS does without neighbors, stays as it was. Several threads may run peers at once.
+  *
+  * Never throws for what the peer does: a crash, a non-zero status, a time-out and output of another size or with numbers
+  * that are not finite are all failures; so is input without two different points, or with one that is not finite. */
 PeerResult
 runPeer (const PeerSetting& setting, const std::vector<Eigen::Vector3d>& noisy, const PeerRun& run = {});
 
-/** Why \a peer cannot run on this machine, and what to do: "meshlabserver is not installed: run evaluation/install_peers.sh";
-  * nothing where it can. */
+/** Why \a peer cannot run on this machine, and what to do, such as "meshlabserver is not installed: run
+  * evaluation/install_peers.sh"; nothing where it can. */
 std::optional<std::string>
 whyAbsent (const std::string& peer, const PeerRun& run = {});
 

@@ -58,9 +58,9 @@ lastWords (const std::string& log)
   return words.size () > most ? "..." + words.substr (words.size () - most) : words;
 }
 
-/** What a program's end means. \param[in] wait as waitpid gives it */
+/** What a program's end means. \param[in] wait as waitpid gives it \param[in] log what it printed */
 std::string
-describeEnd (int wait, double seconds, double time_limit)
+describeEnd (int wait, double seconds, double time_limit, const std::string& log)
 {
   const int status = WIFSIGNALED (wait) ? signal_status + WTERMSIG (wait) : WEXITSTATUS (wait);
   if (status == 0)
@@ -68,9 +68,10 @@ describeEnd (int wait, double seconds, double time_limit)
   // A group that had to be killed ends as if it had crashed.
   if (status == timed_out_status || (status == signal_status + SIGKILL && seconds >= time_limit))
     return "timed out after " + inSeconds (time_limit);
-  if (status > signal_status)
-    return std::string ("crashed (") + strsignal (status - signal_status) + ")";
-  return "ended with status " + std::to_string (status);
+  const std::string end = status > signal_status ? std::string ("crashed (") + strsignal (status - signal_status) + ")"
+                                                 : "ended with status " + std::to_string (status);
+  const std::string words = lastWords (log);
+  return words.empty () ? end : end + ": " + words;
 }
 
 /** Waits a moment for what is left of a group, which may still be tidying up, then kills it. */
@@ -175,10 +176,7 @@ runProcess (const std::vector<std::string>& command, const WorkFolder& folder, d
   ProcessOutcome outcome;
   outcome.seconds = secondsSince (start);
   endGroup (process);
-  outcome.failure = describeEnd (wait, outcome.seconds, time_limit);
-  const std::string words = outcome.failure.empty () ? "" : lastWords (folder.file ("log"));
-  if (!words.empty ())
-    outcome.failure += ": " + words;
+  outcome.failure = describeEnd (wait, outcome.seconds, time_limit, folder.file ("log"));
   return outcome;
 }
 
