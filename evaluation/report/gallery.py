@@ -96,7 +96,7 @@ def _add_first(study, page, folder, stage, loaded):
         for noise in ("GN", "GR"):
             where = {"model": name, "noise": noise, "sigma": study.sigma, **wanted}
             row = lowest(study.select(**where))
-            panels.append(_panel(study, stage, model, f"{title}, {noise}", row, study.why_missing(**where), _plain))
+            panels.append(panel(study, stage, model, f"{title}, {noise}", row, study.why_missing(**where), _plain))
     path = save(panels, folder, "fig1", columns=5, width=2.4, aspect=model.view.aspect())
     page.figure(
         path,
@@ -111,7 +111,7 @@ def _plain(stage, model, points):
     return stage.draw([coloured(geometry.surface(points, model.triangles))], model.view)
 
 
-def _panel(study, stage, model, title, row, reason, draw):
+def panel(study, stage, model, title, row, reason, draw):
     path = study.path(row["cloud"]) if row else None
     if not path:
         return Panel(title, reason=f"{row['cloud']} is missing" if row else reason)
@@ -135,7 +135,10 @@ def _add_model(study, page, folder, stage, model):
         page.gap(f"renderings of {style.model_title(model.name)}", "the noisy cloud is not in this study")
         return
     noisy_points = model.cloud(path)
-    for (label, colours), measure, name in ((DISTANCE, _distance, "distance"), (VARIATION, _variation, "variation")):
+    for (label, colours), measure, name in (
+        (DISTANCE, distances_in_edges, "distance"),
+        (VARIATION, _variation, "variation"),
+    ):
         limit = float(numpy.percentile(measure(model, noisy_points), 95))
 
         def draw(stage, model, points):
@@ -143,7 +146,7 @@ def _add_model(study, page, folder, stage, model):
             return stage.draw([coloured(data, measure(model, points), (0, limit), colours)], model.view)
 
         panels = [Panel("original", draw(stage, model, model.points))]
-        panels += [_panel(study, stage, model, title, row, reason, draw) for title, row, reason in shown]
+        panels += [panel(study, stage, model, title, row, reason, draw) for title, row, reason in shown]
         path = save(
             panels, folder, f"{model.name}_{noise}_{name}", aspect=model.view.aspect(), bar=(colours, (0, limit), label)
         )
@@ -156,7 +159,7 @@ def _add_model(study, page, folder, stage, model):
         )
 
 
-def _distance(model, points):
+def distances_in_edges(model, points):
     return geometry.distances(points, model.data) / model.edge
 
 

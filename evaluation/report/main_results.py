@@ -44,7 +44,7 @@ def _add_noise(study, page, folder, noise, sigma):
     by_model = {model: entries(study, model=model, noise=noise, sigma=sigma) for model in study.models}
     title = f"{style.NOISE_NAMES.get(noise, noise)}, sigma {format_number(sigma)} mean edge lengths"
     page.heading(title[0].upper() + title[1:])
-    path = _dots(by_model, folder, f"results_{noise}_{format_number(sigma)}")
+    path = dots(by_model, folder, f"results_{noise}_{format_number(sigma)}")
     page.figure(
         path,
         (
@@ -59,7 +59,7 @@ def _add_noise(study, page, folder, noise, sigma):
         page.parts.append("</details>")
 
 
-def _dots(by_model, folder, name):
+def dots(by_model, folder, name):
     models = list(by_model)
     labels = [entry.label for entry in by_model[models[0]]][1:]
     columns = min(4, len(models))

@@ -46,7 +46,7 @@ def save(panels, folder, name, columns=4, width=2.75, aspect=1.3, bar=None):
         )
         place.set_label(label)
         place.outline.set_visible(False)
-    return style.save(figure, folder, name, dpi=200)
+    return style.save(figure, folder, name, dpi=180, trim=False)
 
 
 def _draw(axis, panel, blank):

@@ -51,13 +51,13 @@ def legend_below(figure, axis, columns):
     figure.legend(*axis.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
 
 
-def save(figure, folder, name, dpi=150):
-    """Writes <name>.png and <name>.svg and closes the figure. Returns the PNG's path."""
+def save(figure, folder, name, dpi=150, trim=True):
+    """Writes <name>.png and <name>.svg and closes the figure. Returns the PNG's path. Trimming also saves what sticks out,
+    and takes twice as long."""
     os.makedirs(folder, exist_ok=True)
     path = os.path.join(folder, name + ".png")
-    figure.savefig(path, dpi=dpi, bbox_inches="tight", pad_inches=0.08)
-    figure.savefig(
-        os.path.join(folder, name + ".svg"), dpi=dpi, bbox_inches="tight", pad_inches=0.08, metadata={"Date": None}
-    )
+    box = {"bbox_inches": "tight", "pad_inches": 0.08} if trim else {}
+    figure.savefig(path, dpi=dpi, **box)
+    figure.savefig(os.path.join(folder, name + ".svg"), dpi=dpi, metadata={"Date": None}, **box)
     plt.close(figure)
     return path
