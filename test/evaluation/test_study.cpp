@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <thread>
 
 using namespace pcl_normal_smoothing;
@@ -125,6 +126,37 @@ TEST_F (StudyTool, BadMeshesAreRowsThatFailed)
   EXPECT_NE (all[0].at ("reason").get<std::string> ().find ("has no faces"), std::string::npos);
   EXPECT_EQ (all[4].at ("model"), "roof");
   EXPECT_EQ (all[4].at ("status"), "ok");
+}
+
+TEST_F (StudyTool, Peers)
+{
+  const std::string command = "roof.off -models none -sweep 0 -noise GN -seeds 2 -small 1";
+  ASSERT_EQ (study (command + " -time_limit 0.001").status, 0);
+  std::size_t failed = 0;
+  for (const nlohmann::json& row : rows ())
+    if (row.at ("status") == "failed") {
+      ++failed;
+      EXPECT_NE (row.at ("reason").get<std::string> ().find ("timed out"), std::string::npos) << row;
+      EXPECT_TRUE (row.at ("p2s_mean").is_null ());
+    }
+  EXPECT_GT (failed, 0u);
+
+  ASSERT_EQ (study (command).status, 0); // those that failed are tried again
+  std::map<std::string, int> seeds;
+  for (const nlohmann::json& row : rows ()) {
+    EXPECT_NE (row.at ("status"), "failed") << row;
+    if (row.at ("family") != "peer" || row.at ("status") != "ok") // absent: MeshLab is not everywhere
+      continue;
+    ++seeds[row.at ("name").get<std::string> ()];
+    EXPECT_NE (row.at ("parameters").get<std::string> ().find (" (default)"), std::string::npos) << row;
+    EXPECT_TRUE (row.at ("p2s_ratio").is_number ()) << row;
+    EXPECT_GT (row.at ("seconds"), 0) << row;
+    EXPECT_EQ (row.at ("cloud").get<std::string> ().empty (), row.at ("seed") != 1) << row;
+  }
+  EXPECT_GE (seeds.size (), 5u);
+  for (const auto& [peer, count] : seeds)
+    EXPECT_EQ (count, 2) << peer;
+  EXPECT_FALSE (std::filesystem::exists (path ("study/work")));
 }
 
 TEST_F (StudyTool, AFullDisk)
