@@ -17,7 +17,7 @@ from scene import Stage, coloured
 from study import Study
 from summary import best_peer, entries
 
-WIDTH, COLOURS = 1000, 128
+WIDTH, COLOURS = 1000, 256
 
 
 def shrink(path, target):
@@ -29,10 +29,10 @@ def shrink(path, target):
     print(f"{target}: {os.path.getsize(target) // 1024} kB")
 
 
-def strip(study, stage, name, noise, work):
+def strip(study, stage, model_name, noise, work):
     """Noisy, the paper's preset, the best peer, ours, coloured by distance."""
-    model = gallery.Model(study, name)
-    where = {"model": name, "noise": noise, "sigma": study.sigma}
+    model = gallery.Model(study, model_name)
+    where = {"model": model_name, "noise": noise, "sigma": study.sigma}
     peer = best_peer(entries(study, **where))
     rows = [("noisy", gallery.lowest(study.select(family="noisy", **where)))]
     rows.append(("preset paper", gallery.lowest(study.select(family="ours", name="paper", **where))))
@@ -50,7 +50,7 @@ def strip(study, stage, name, noise, work):
 
     shown = [gallery.panel(study, stage, model, title, row, "not in the study", draw) for title, row in rows]
     bar = (gallery.DISTANCE[1], (0, limit), gallery.DISTANCE[0])
-    return panels.save(shown, work, name, columns=5, width=2.2, aspect=model.view.aspect(), bar=bar)
+    return panels.save(shown, work, model_name, columns=5, width=2.2, aspect=model.view.aspect(), bar=bar)
 
 
 def main():
@@ -58,16 +58,18 @@ def main():
     parser.add_argument("study")
     parser.add_argument("images", help="folder of the pictures")
     parser.add_argument("-tools", required=True, help="folder of the built tools")
-    parser.add_argument("-models", default="csg_part,elephant", help="of the strips")
+    parser.add_argument("-models", default="fandisk,elephant", help="of the strips")
+    parser.add_argument("-noise", default="GN", help="GN or GR")
     options = parser.parse_args()
     study = Study(options.study)
     os.makedirs(options.images, exist_ok=True)
     with tempfile.TemporaryDirectory() as work:
-        by_model = {name: entries(study, model=name, noise="GR", sigma=study.sigma) for name in study.models}
+        studied = [name for name in study.models if study.select(model=name, noise=options.noise, family="peer")]
+        by_model = {name: entries(study, model=name, noise=options.noise, sigma=study.sigma) for name in studied}
         shrink(main_results.dots(by_model, work, "results"), os.path.join(options.images, "choosing_results.png"))
         with display(), Stage(height=420) as stage:
             for name in options.models.split(","):
-                path = strip(study, stage, study.find_model(name), "GR", work)
+                path = strip(study, stage, study.find_model(name), options.noise, work)
                 shrink(path, os.path.join(options.images, f"choosing_{name}.png"))
         sheets.add(study, Page("", ""), work, options.tools)
         shrink(os.path.join(work, "fig10.png"), os.path.join(options.images, "choosing_sheets.png"))
