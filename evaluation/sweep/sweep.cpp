@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <tuple>
 
 namespace pcl_normal_smoothing::evaluation
@@ -107,17 +108,28 @@ Sweep::moveAndSink (const std::vector<Combination>& group,
                     double seconds,
                     const Sink& sink)
 {
+  // One update to the largest number, looked at where it would search anew: a second one from where the first ended would
+  // round differently, as displacements count from the start.
+  core::PointUpdateOptions update = group.back ().options ().update;
+  for (const Combination& combination : group)
+    update.search_interval = std::gcd (update.search_interval, combination.point_iterations);
   core::Positions moved = nodes_;
+  auto next = group.begin ();
   int done = 0;
-  for (const Combination& combination : group) {
-    core::PointUpdateOptions update = combination.options ().update;
-    update.iterations -= done;
-    done = combination.point_iterations;
-    seconds += timed ([&] { core::updatePoints (graph_, normals, update, {}, execution_, moved); });
-    Smoothed result = resultOf (moved, normals);
-    result.seconds = seconds;
-    sink (combination, result);
-  }
+  auto start = std::chrono::steady_clock::now ();
+  const auto look = [&] (const core::Positions& positions) {
+    seconds += std::chrono::duration<double> (std::chrono::steady_clock::now () - start).count ();
+    done += update.search_interval;
+    for (; next != group.end () && next->point_iterations == done; ++next) {
+      Smoothed result = resultOf (positions, normals);
+      result.seconds = seconds;
+      sink (*next, result);
+    }
+    start = std::chrono::steady_clock::now ();
+    return graph_;
+  };
+  core::updatePoints (graph_, normals, update, look, execution_, moved);
+  look (moved);
 }
 
 Smoothed

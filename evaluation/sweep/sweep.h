@@ -30,7 +30,7 @@ public:
   explicit Sweep (const tools::Points& noisy);
 
   /** Calls \a sink for every combination, in an order that shares as much as it can.
-    * \param[in] combinations as many and whichever */
+    * \param[in] combinations as many and whichever, with at least one point iteration */
   void
   run (std::vector<Combination> combinations, const Sink& sink);
 

@@ -98,6 +98,17 @@ TEST (Measures, PointsThatSlideOnTheSurface)
   EXPECT_NEAR (measures.area_error, 0.75, 1e-9);
 }
 
+TEST (Measures, PointsThatClump)
+{
+  const Model square = squareModel ();
+  Evaluator evaluator (square);
+  evaluator.setNoisy (square.mesh.vertices);
+  tools::Points points = square.mesh.vertices;
+  for (std::size_t i = 21; i < 361; i += 60) // six of them come near their neighbours: 3 % are close to another
+    points[i] = points[i + 1] + 0.1 * (points[i] - points[i + 1]);
+  EXPECT_NEAR (evaluator.measure (points, {}, MeasureSet::ALL).spacing_p01, 0.1, 1e-5);
+}
+
 TEST (Measures, EdgesOfACube)
 {
   const Model cube = cubeModel ();
