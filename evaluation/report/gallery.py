@@ -10,6 +10,7 @@ from scene import coloured, view_of
 from summary import PEERS, combination
 
 DISTANCE = ("distance to the clean surface, in mean edge lengths", "gist_heat_r")
+SHEETS = "two_sheets"
 VARIATION = ("surface variation (k 15)", "viridis")
 
 
@@ -81,6 +82,8 @@ def add(study, page, folder, stage, progress):
             page.gap(f"renderings of {style.model_title(name)}", str(error))
     _add_first(study, page, folder, stage, loaded)
     for model in loaded.values():
+        if model.name == SHEETS:
+            continue  # seen from outside, one hides the other: Fig. 10 cuts across them
         progress(f"renderings of {model.name}")
         _add_model(study, page, folder, stage, model)
 

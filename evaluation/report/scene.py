@@ -18,7 +18,7 @@ from vtkmodules.vtkRenderingCore import (
 
 PLAIN = (0.83, 0.84, 0.86)
 # Where lights stand, seen from the camera (right, up, back), and how strong they are.
-FRONT = (((-0.5, 0.7, 1), 0.85), ((0.9, 0.1, 0.6), 0.3))
+FRONT = (((-0.35, 0.5, 1), 0.8), ((0.9, -0.1, 0.5), 0.35))
 RAKING = (((-1, 0.7, 0.3), 0.8), ((0.2, 0, 1), 0.25))
 
 
@@ -132,8 +132,8 @@ def coloured(data, values=None, limits=(0, 1), colours="viridis", flat=True):
     actor.SetMapper(mapper)
     look = actor.GetProperty()
     look.SetColor(*PLAIN)
-    look.SetAmbient(0.22 if values is None else 0.38)
-    look.SetDiffuse(0.8 if values is None else 0.68)
+    look.SetAmbient(0.2 if values is None else 0.34)
+    look.SetDiffuse(0.85 if values is None else 0.6)
     look.SetSpecular(0.05)
     if flat:
         look.SetInterpolationToFlat()

@@ -8,7 +8,7 @@ import geometry
 import matplotlib.pyplot as plt
 import numpy
 import style
-from gallery import Model, lowest
+from gallery import SHEETS, Model, lowest
 from running import ToolTrouble, run
 
 CASES = (
@@ -21,9 +21,9 @@ ORIENTED = "ours: default, with normals that point outwards (-normals input -ori
 
 def add(study, page, folder, tools):
     page.heading("Fig. 10: two close sheets")
-    name = study.find_model("two_sheets")
+    name = study.find_model(SHEETS)
     if not name:
-        page.gap("Fig. 10", "the model two_sheets is not in this study")
+        page.gap("Fig. 10", f"the model {SHEETS} is not in this study")
         return
     try:
         model = Model(study, name)
