@@ -4,8 +4,12 @@
 from off_screen import NoDisplay, display
 
 
-def add(study, page, folder, tools, scan, progress):
+def add(study, page, folder, tools, scan, progress, why_none=""):
+    """\a why_none: why nothing can be rendered, where that is known already."""
     page.section("pictures", "Pictures: Figs. 1, 4 and 5")
+    if why_none:
+        page.gap("all renderings", why_none)
+        return
     try:
         import flips
         import gallery

@@ -95,7 +95,7 @@ def _discs(points, normals, radii):
     data.GetPointData().SetScalars(numpy_to_vtk(numpy.minimum(radii, 4 * numpy.median(radii)), deep=True))
     glyphs = vtkGlyph3D()
     glyphs.SetInputData(data)
-    glyphs.SetSourceConnection(_disc().GetOutputPort())
+    glyphs.SetSourceData(_disc())
     glyphs.SetVectorModeToUseNormal()
     glyphs.SetScaleModeToScaleByScalar()
     glyphs.Update()
@@ -113,4 +113,5 @@ def _disc():
     turned = vtkTransformPolyDataFilter()
     turned.SetInputConnection(disc.GetOutputPort())
     turned.SetTransform(turn)
-    return turned
+    turned.Update()
+    return turned.GetOutput()
