@@ -64,7 +64,8 @@ def main():
     study = Study(options.study)
     os.makedirs(options.images, exist_ok=True)
     with tempfile.TemporaryDirectory() as work:
-        studied = [name for name in study.models if study.select(model=name, noise=options.noise, family="peer")]
+        counts = {name: len(study.select(model=name, noise=options.noise, family="peer")) for name in study.models}
+        studied = [name for name, count in counts.items() if count == max(counts.values())]  # whole ones
         by_model = {name: entries(study, model=name, noise=options.noise, sigma=study.sigma) for name in studied}
         shrink(main_results.dots(by_model, work, "results"), os.path.join(options.images, "choosing_results.png"))
         with display(), Stage(height=420) as stage:
