@@ -36,7 +36,7 @@ def model_title(name):
 
 def plain_number(value, _place=None):
     """0.002, 0.5, 20: never a power of ten."""
-    return f"{value:.6f}".rstrip("0").rstrip(".") if value < 1 else f"{value:.0f}"
+    return f"{value:.6f}".rstrip("0").rstrip(".") if value < 1 else f"{value:.3g}" if value < 1000 else f"{value:.0f}"
 
 
 def plain_ticks(axis):
