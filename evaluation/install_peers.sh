@@ -3,8 +3,8 @@
 # Each is optional: the study marks the rows of an absent one and goes on. CGAL's and PCL's methods, and LOP, are in the
 # program pcl_smoothing_peer of the build.
 set -euo pipefail
-# shellcheck source=evaluation/debian_packages.sh
-. "$(dirname "${BASH_SOURCE[0]}")/debian_packages.sh"
+# shellcheck source=scripts/debian_packages.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../scripts/debian_packages.sh"
 
 install_packages \
   "libcgal-dev|WLOP, jet and bilateral smoothing" \

@@ -2,8 +2,8 @@
 # Installs from Debian's packages what the study's own program and its report need and this machine lacks.
 # The other methods have their own: install_peers.sh.
 set -euo pipefail
-# shellcheck source=evaluation/debian_packages.sh
-. "$(dirname "${BASH_SOURCE[0]}")/debian_packages.sh"
+# shellcheck source=scripts/debian_packages.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../scripts/debian_packages.sh"
 
 install_packages \
   "nlohmann-json3-dev|the study's rows as JSON" \

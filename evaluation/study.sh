@@ -41,12 +41,10 @@ while [ $# -gt 0 ]; do
 done
 
 if [ -z "$built" ]; then
-  "$root/scripts/install_dependencies.sh"
   "$root/evaluation/install_report.sh"
   "$root/evaluation/install_peers.sh" || echo "Not every peer could be installed: the report will show gaps." >&2
+  "$root/scripts/build.sh" -DBUILD_EVALUATION=ON tools/all evaluation/all
   built=$root/build
-  cmake -S "$root" -B "$built" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_EVALUATION=ON
-  cmake --build "$built" --parallel "$(nproc)" --target tools/all evaluation/all
 fi
 
 arguments=()

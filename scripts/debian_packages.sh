@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sourced by the install scripts of this folder.
+# Sourced by the scripts that install packages.
 
 # install_packages "package|what it is for"...
 # Installs what this machine lacks. Does nothing, and needs no network, where everything is there.
