@@ -58,13 +58,14 @@ organic ()
           makeUnevenBall (5), numericDistance (bumpyBall ())};
 }
 
+/** Two parallel squares, \a spacings of their points apart. */
 Model
-sheets ()
+sheets (const std::string& name, const std::string& distance, double spacings)
 {
   constexpr std::uint32_t side = 50;
-  constexpr double gap = 1.0 / (side - 1);
-  return {"two_sheets", "made in code: two parallel squares, as close as their points (the paper's Fig. 10)",
-          makeSheets (side, gap), [] (const Eigen::Vector3d& p) { return distanceToSheets (gap, p); }};
+  const double gap = spacings / (side - 1);
+  return {name, "made in code: two parallel squares, " + distance + " apart (the paper's Fig. 10)",
+          makeSheets (side, gap), [gap] (const Eigen::Vector3d& p) { return distanceToSheets (gap, p); }};
 }
 
 Model
@@ -87,7 +88,8 @@ makers ()
          return extruded ("plate", "made in code: a plate, about two spacings thick", rectangle (1, 0.75), 0.04, 0.018);
        }},
       {"organic", organic},
-      {"two_sheets", sheets},
+      {"two_sheets", [] { return sheets ("two_sheets", "one spacing of their points", 1); }},
+      {"two_sheets_apart", [] { return sheets ("two_sheets_apart", "two spacings of their points", 2); }},
       {"cube", [] { return extruded ("cube", "made in code", rectangle (1, 1), 1, 1.0 / 28); }},
       {"sphere", sphere}};
   return all;

@@ -12,6 +12,7 @@ namespace pcl_normal_smoothing::evaluation
   * plate         about two spacings thick, sharp edges. Exact distance: closed form
   * organic       smooth bumps on a ball, the spacing varying by a factor of 4. Exact distance: numeric
   * two_sheets    two parallel squares as close as their points, open (the paper's Fig. 10). Exact distance: closed form
+  * two_sheets_apart   the same at twice the distance
   * cube          sharp edges and corners alone. Exact distance: closed form
   * sphere        constant curvature, nearly even. Exact distance: closed form */
 const std::vector<std::string>&

@@ -162,8 +162,13 @@ WorkFolder::~WorkFolder ()
 ProcessOutcome
 runProcess (const std::vector<std::string>& command, const WorkFolder& folder, double time_limit)
 {
-  // coreutils' timeout keeps the limit even where this program does not live to do so.
-  std::vector<std::string> limited {"timeout", "--kill-after=" + std::to_string (grace_s), std::to_string (time_limit)};
+  // coreutils' timeout ends the whole group: at the limit, and at once where this program does not live till then.
+  std::vector<std::string> limited {"setpriv",
+                                    "--pdeathsig",
+                                    "TERM",
+                                    "timeout",
+                                    "--kill-after=" + std::to_string (grace_s),
+                                    std::to_string (time_limit)};
   limited.insert (limited.end (), command.begin (), command.end ());
   const auto start = Clock::now ();
   pid_t process = 0;

@@ -10,7 +10,7 @@ from scene import coloured, view_of
 from summary import PEERS, combination
 
 DISTANCE = ("distance to the clean surface, in mean edge lengths", "gist_heat_r")
-SHEETS = "two_sheets"
+SHEETS = ("two_sheets", "two_sheets_apart")
 VARIATION = ("surface variation (k 15)", "viridis")
 
 
@@ -82,7 +82,7 @@ def add(study, page, folder, stage, progress):
             page.gap(f"renderings of {style.model_title(name)}", str(error))
     _add_first(study, page, folder, stage, loaded)
     for model in loaded.values():
-        if model.name == SHEETS:
+        if model.name in SHEETS:
             continue  # seen from outside, one hides the other: Fig. 10 cuts across them
         progress(f"renderings of {model.name}")
         _add_model(study, page, folder, stage, model)

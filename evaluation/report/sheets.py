@@ -21,25 +21,28 @@ ORIENTED = "ours: default, with normals that point outwards (-normals input -ori
 
 def add(study, page, folder, tools):
     page.heading("Fig. 10: two close sheets")
-    name = study.find_model(SHEETS)
-    if not name:
-        page.gap("Fig. 10", f"the model {SHEETS} is not in this study")
-        return
-    try:
-        model = Model(study, name)
-    except geometry.Unreadable as error:
-        page.gap("Fig. 10", str(error))
-        return
+    for name in SHEETS:
+        try:
+            _add_model(study, page, folder, tools, name)
+        except geometry.Unreadable as error:
+            page.gap(f"Fig. 10, {name}", str(error))
+
+
+def _add_model(study, page, folder, tools, name):
+    if name not in study.models:
+        raise geometry.Unreadable(f"the model {name} is not in this study")
+    model = Model(study, name)
     noise = "GN" if study.select(family="noisy", model=name, noise="GN") else (study.noises or ["GN"])[0]
     cuts = [(title, *_kept(study, model, noise, wanted)) for title, wanted in CASES]
     cuts.append((ORIENTED, *_oriented(model, cuts[0][1], tools)))
+    heights = numpy.ptp(model.points @ _frame(model.points)[2]) / model.edge
     page.figure(
-        _draw(model, cuts, folder),
+        _draw(model, cuts, folder, "fig10" if name == SHEETS[0] else f"fig10_{name}"),
         (
-            f"Fig. 10: two parallel sheets, {noise}, a slice across them; heights stretched. Lines: the clean surface; dots:"
-            " the points of either sheet. Neighbourhoods that reach across pull the sheets together, unless normals tell"
-            " them apart: last, estimated ones (WPCA, k 15), each turned to its sheet's outer side, as a scanner that saw"
-            " it from there would."
+            f"Fig. 10: two parallel sheets, {heights:.1f} mean edge lengths apart, {noise}, a slice across them; heights"
+            " stretched. Lines: the clean surface; dots: the points of either sheet. Neighbourhoods that reach across pull"
+            " the sheets together, unless something tells them apart: last, estimated normals (WPCA, k 15), each turned to"
+            " its sheet's outer side, as a scanner that saw it from there would."
         ),
     )
 
@@ -77,7 +80,7 @@ def _oriented(model, noisy, tools):
     return points, None, after / before
 
 
-def _draw(model, cuts, folder):
+def _draw(model, cuts, folder, name):
     figure, axes = plt.subplots(len(cuts), 1, figsize=(10, 6.6), sharex=True, sharey=True, layout="constrained")
     for axis, (title, points, reason, ratio) in zip(axes, cuts):
         axis.set_title(title + (f": p2s ratio {ratio:.2f}" if ratio is not None else ""))
@@ -87,7 +90,7 @@ def _draw(model, cuts, folder):
         else:
             axis.text(0.5, 0.5, f"gap: {reason}", transform=axis.transAxes, ha="center", color="#8a8a8a", style="italic")
     axes[-1].set_xlabel("mean edge lengths")
-    return style.save(figure, folder, "fig10")
+    return style.save(figure, folder, name)
 
 
 def _frame(points):

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "peer_fixture.h"
 
+#include <sys/wait.h>
+
+#include <unistd.h>
+
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -102,6 +107,25 @@ TEST_F (PeerTrouble, WhatARunLeavesRunningIsEnded)
   pid_t child = 0;
   std::ifstream (file ("child")) >> child;
   ASSERT_GT (child, 0);
+  EXPECT_TRUE (hasEnded (child));
+}
+
+TEST_F (PeerTrouble, EndsWithTheStudyThatStartedIt)
+{
+  useWorker ("sleep 100 & echo $! >" + file ("child") + "; wait");
+  const pid_t study = ::fork ();
+  if (study == 0) {
+    runPeer (setting, points, run);
+    std::_Exit (0);
+  }
+  pid_t child = 0;
+  for (int i = 0; i < 500 && child == 0; ++i) {
+    std::this_thread::sleep_for (std::chrono::milliseconds (10));
+    std::ifstream (file ("child")) >> child;
+  }
+  ASSERT_GT (child, 0);
+  ::kill (study, SIGKILL);
+  ::waitpid (study, nullptr, 0);
   EXPECT_TRUE (hasEnded (child));
 }
 
