@@ -127,6 +127,7 @@ TEST_F (PeerTrouble, EndsWithTheStudyThatStartedIt)
   ::kill (study, SIGKILL);
   ::waitpid (study, nullptr, 0);
   EXPECT_TRUE (hasEnded (child));
+  std::filesystem::remove_all (run.work_folder); // killed, it could not tidy up
 }
 
 TEST_F (PeerTrouble, Output)
