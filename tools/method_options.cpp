@@ -60,10 +60,18 @@ limitOf (const core::SmoothingOptions& method)
   return std::isfinite (method.update.max_displacement) ? textOf (method.update.max_displacement) : "no limit";
 }
 
+const std::string no_length = "inf";
+
 std::string
 optionIfFinite (const std::string& name, float number)
 {
   return std::isfinite (number) ? name + textOf (number) : std::string ();
+}
+
+std::string
+lengthOrNone (float length)
+{
+  return std::isfinite (length) ? textOf (length) : no_length;
 }
 
 std::string
@@ -79,7 +87,7 @@ asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const S
   if (method.robust)
     line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " +
             textOf (method.rounds.noise.sigma) + " -point_spacing " + textOf (method.rounds.noise.spacing) +
-            optionIfFinite (" -sheet_distance ", method.rounds.sheet_distance) +
+            " -sheet_distance " + lengthOrNone (method.rounds.sheet_distance) +
             optionIfFinite (" -max_displacement ", method.rounds.max_displacement);
   else
     line += " -weights " + wordFor (weights, method.filter.weight) + " -mixed " +
@@ -187,10 +195,16 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
                numberOption (0, limit, [&] (double sigma) { settings.setNoiseSigma (sigma); }));
   options.add ("-point_spacing", "D", "distance between neighbouring points, in the cloud's unit, for rounds",
                "estimated from the cloud", numberOption (0, limit, [&] (double d) { settings.setPointSpacing (d); }));
-  options.add ("-sheet_distance", "D",
-               "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds",
-               "4 noise_sigma; fast: all points lie on one sheet",
-               numberOption (0, limit, [&] (double d) { settings.setSheetDistance (d); }));
+  const OptionReader length = numberOption (0, limit, [&] (double d) { settings.setSheetDistance (d); });
+  options.add ("-sheet_distance", "D|inf",
+               "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds; "
+               "inf: all lie on one",
+               "4 noise_sigma; fast: inf", [&, length] (const std::string& text) {
+                 if (text == no_length)
+                   settings.setSheetDistance (std::numeric_limits<double>::infinity ());
+                 else
+                   length (text);
+               });
 }
 
 void

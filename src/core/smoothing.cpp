@@ -54,18 +54,17 @@ prepareSmoothing (const Positions& positions,
   NoiseEstimate estimate;
   if (!noise_known)
     estimate = estimateNoise (*graph, positions, execution);
+  const float sigma = noise.sigma >= 0 ? noise.sigma : estimate.sigma;
   if (rounds.sheet_distance < 0)
-    rounds.sheet_distance = sheet_sigmas * (noise.sigma >= 0 ? noise.sigma : estimate.sigma);
+    rounds.sheet_distance = sheet_sigmas * sigma;
 
-  SheetSeparationOptions separation;
-  separation.distance = rounds.sheet_distance;
-  if (rounds.oriented && options.normals == NormalSource::INPUT)
-    separation.oriented_normals = &normals;
-  const NeighborGraph::ConstPtr separated = separateSheets (graph, positions, separation, execution);
-  if (separated != graph && !noise_known)
-    estimate.sigma = std::min (estimateNoise (*separated, positions, execution).sigma, 1.2f * estimate.sigma);
-  graph = separated;
-
+  if (sigma > 0) { // else nothing moves
+    const bool oriented = rounds.oriented && options.normals == NormalSource::INPUT;
+    const NeighborGraph::ConstPtr mixed = graph;
+    graph = separateSheets (mixed, positions, {rounds.sheet_distance, oriented ? &normals : nullptr}, execution);
+    if (graph != mixed && !noise_known)
+      estimate.sigma = std::min (estimateNoise (*graph, positions, execution).sigma, 1.2f * estimate.sigma);
+  }
   noise.sigma = noise.sigma < 0 ? estimate.sigma : noise.sigma;
   noise.spacing = noise.spacing < 0 ? estimate.spacing : noise.spacing;
   if (!std::isfinite (rounds.max_displacement) && noise.sigma > 0)

@@ -100,10 +100,28 @@ TEST_F (Usage, BothKAndRadius)
 TEST_F (Usage, HelpNamesEveryOptionWithItsDefault)
 {
   const Ending help = succeed ("pcl_normal_smoothing -h");
-  for (const std::string option :
-       {"-normals", "-weights", "-mixed", "-k", "-radius", "-max_radius", "-normal_iterations", "-point_iterations",
-        "-threshold", "-sigma_s", "-update", "-update_sigma_s", "-oriented", "-max_displacement", "-save_normals",
-        "-seed", "-threads", "-format", "-preset"}) {
+  for (const std::string option : {"-normals",
+                                   "-weights",
+                                   "-mixed",
+                                   "-k",
+                                   "-radius",
+                                   "-max_radius",
+                                   "-normal_iterations",
+                                   "-point_iterations",
+                                   "-threshold",
+                                   "-sigma_s",
+                                   "-update",
+                                   "-update_sigma_s",
+                                   "-oriented",
+                                   "-max_displacement",
+                                   "-noise_sigma",
+                                   "-point_spacing",
+                                   "-sheet_distance",
+                                   "-save_normals",
+                                   "-seed",
+                                   "-threads",
+                                   "-format",
+                                   "-preset"}) {
     const std::size_t begin = help.out.find ("\n  " + option + " ");
     ASSERT_NE (begin, std::string::npos) << option;
     EXPECT_NE (help.out.substr (begin, help.out.find ('\n', begin + 1) - begin).find ("default: "), std::string::npos)

@@ -57,8 +57,9 @@ TEST_F (SmoothingTool, OptionsHoldOverPresetsInAnyOrder)
 TEST_F (SmoothingTool, PrintedParametersGiveTheSameAgain)
 {
   for (const std::string options :
-       {"", "-noise_sigma 0.0123456", "-preset fast -noise_sigma 0.02 -point_spacing 0.3", "-preset paper",
-        "-preset fast -normals hough -seed 5", "-radius 1.1 -weights mixed -mixed rms -sigma_s 0.123456789",
+       {"", "-noise_sigma 0.0123456", "-preset fast -noise_sigma 0.02 -point_spacing 0.3", "-sheet_distance inf",
+        "-sheet_distance 0.25", "-preset paper", "-preset fast -normals hough -seed 5",
+        "-radius 1.1 -weights mixed -mixed rms -sigma_s 0.123456789",
         "-k 9 -max_radius 0.7 -max_displacement 0.01 -update_sigma_s 0.1 -weights threshold"}) {
     const std::string expected = smoothedWave (options), parameters = parameters_;
     EXPECT_EQ (smoothedWave (parameters), expected) << options << "\n" << parameters;
