@@ -15,7 +15,7 @@ namespace core
 Positions
 gather (const Positions& positions, const std::vector<std::uint32_t>& order, const Execution& execution)
 {
-  Positions result {Vectors (order.size ()), Vectors (order.size ())};
+  Positions result {Vectors (order.size ()), Vectors (order.size ()), positions.unit};
   parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       result.base[i] = positions.base[order[i]];
@@ -171,9 +171,8 @@ NeighborGraph::rebuild (const Positions& nodes, const NeighborQuery& query, cons
     return graph;
   const KdTree tree (nodes, order_, execution);
   Rows rows (*graph, rowLength (query, graph->size ()));
-  tree.searchAll (query, execution, [&] (std::uint32_t slot, const auto& row) {
-    rows.put (tree.order ()[slot], row, tree.order ());
-  });
+  tree.searchAll (query, execution,
+                  [&] (std::uint32_t slot, const auto& row) { rows.put (tree.order ()[slot], row, tree.order ()); });
   rows.finish ();
   return graph;
 }

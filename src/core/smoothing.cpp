@@ -23,6 +23,18 @@ requireNormals (const Vectors& normals)
 }
 } // namespace
 
+SmoothingOptions
+SmoothingOptions::inUnit (double unit) const
+{
+  const auto convert = [unit] (float& length) { length = length < 0 ? length : static_cast<float> (length / unit); };
+  SmoothingOptions options = *this;
+  options.update = update.inUnit (unit);
+  convert (options.rounds.max_displacement);
+  convert (options.rounds.noise.sigma);
+  convert (options.rounds.noise.spacing);
+  return options;
+}
+
 void
 check (const SmoothingOptions& options)
 {
@@ -62,8 +74,8 @@ smooth (const NeighborGraph::ConstPtr& graph,
   if (options.robust && options.normals == NormalSource::WPCA)
     normals = startNormals (*graph, positions, execution.part (0, 0.1));
   else if (options.normals != NormalSource::INPUT)
-    normals = estimateNormals (*graph, positions, makeEstimator (options.normals, options.hough),
-                               execution.part (0, 0.3));
+    normals =
+        estimateNormals (*graph, positions, makeEstimator (options.normals, options.hough), execution.part (0, 0.3));
   requireNormals (normals);
   if (options.robust)
     return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), positions, normals);

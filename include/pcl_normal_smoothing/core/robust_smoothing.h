@@ -23,7 +23,7 @@ struct RobustSmoothingOptions
   bool fast = false;
   /** Normals point to the same side everywhere: neighbours with opposite normals do not count. */
   bool oriented = false;
-  /** No point ends farther from where it began, in the cloud's unit. */
+  /** No point ends farther from where it began, in the unit of the positions. */
   float max_displacement = std::numeric_limits<float>::infinity ();
 };
 

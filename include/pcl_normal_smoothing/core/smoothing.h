@@ -21,6 +21,10 @@ struct SmoothingOptions
   PointUpdateOptions update;
   /** Where noise.sigma or noise.spacing is below 0 it is estimated; likewise max_displacement, from sigma. */
   RobustSmoothingOptions rounds;
+
+  /** The same options for positions in another unit: see Positions::unit. What is to be estimated stays so. */
+  SmoothingOptions
+  inUnit (double unit) const;
 };
 
 /** \throw Error where an option is out of range */
@@ -30,7 +34,9 @@ check (const SmoothingOptions& options);
 /** Fills in what the data has to tell: the noise of the cloud, and what follows from it.
   * \param[in,out] options nothing changes where all is known */
 void
-estimateOptions (const NeighborGraph& graph, const Positions& positions, const Execution& execution,
+estimateOptions (const NeighborGraph& graph,
+                 const Positions& positions,
+                 const Execution& execution,
                  SmoothingOptions& options);
 
 /** The whole method, Fig. 2 of Valdivia et al. 2013: estimate normals, filter them, move the points to fit them.
