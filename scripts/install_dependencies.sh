@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs from Debian's packages what the build needs and this machine lacks. Does nothing, and needs no network, where
 # everything is there.
+# usage: scripts/install_dependencies.sh [package]...      with packages: those too, which only some scripts need
 set -euo pipefail
 
 # package | what it is for
@@ -13,6 +14,9 @@ needed=(
   "libcgal-dev|CGAL, which reads meshes in the tools"
   "libgtest-dev|GoogleTest, for the tests"
 )
+for package in "$@"; do
+  needed+=("$package|asked for")
+done
 
 installed ()
 {
