@@ -4,6 +4,8 @@
 # usage: scripts/check_sanitizers.sh [asan-ubsan|tsan]...      default: both
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# shellcheck source=scripts/debian_packages.sh
+. "$root/scripts/debian_packages.sh"
 [ $# -gt 0 ] || set -- asan-ubsan tsan
 
 export OMP_WAIT_POLICY=passive
@@ -15,10 +17,11 @@ export TSAN_OPTIONS="ignore_noninstrumented_modules=1 suppressions=$root/scripts
 # Archer, which comes with libomp, tells ThreadSanitizer of OpenMP's barriers and locks.
 export OMP_TOOL_LIBRARIES=/usr/lib/llvm-14/lib/libarcher.so
 
+"$root/scripts/install_dependencies.sh"
 for preset in "$@"; do
   case $preset in
-    asan-ubsan) "$root/scripts/install_dependencies.sh" ;;
-    tsan) "$root/scripts/install_dependencies.sh" clang libomp-14-dev libclang-rt-14-dev ;;
+    asan-ubsan) ;;
+    tsan) install_packages "clang|the compiler" "libomp-14-dev|its OpenMP" "libclang-rt-14-dev|its sanitizers" ;;
     *)
       echo "scripts/check_sanitizers.sh: no sanitizer is called $preset: give asan-ubsan or tsan" >&2
       exit 1 ;;

@@ -26,8 +26,8 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
   if (normals)
     normals_ = readNormals (*normals, graph->order ());
   core::SmoothingOptions options = options_.inUnit (unit_);
-  core::estimateOptions (*graph, nodes, core::Execution (static_cast<unsigned> (execution.threads ())), options);
-  core::smooth (graph, options, research, execution, nodes, normals_);
+  core::prepareSmoothing (nodes, normals_, execution.silent (), graph_, options);
+  core::smooth (graph_, options, research, execution, nodes, normals_);
   options_ = options.inUnit (1 / unit_);
   for (std::size_t node = 0; node < nodes.size (); ++node)
     displacements_[node] = nodes.offset[node] - displacements_[node];

@@ -22,6 +22,8 @@ presetOptions (SmoothingPreset preset)
   options.rounds.noise = {-1, -1};
   options.rounds.fast = preset == SmoothingPreset::FAST;
   options.rounds.rounds = options.rounds.fast ? 3 : 6;
+  if (!options.rounds.fast)
+    options.rounds.sheet_distance = -1;
   return options;
 }
 
@@ -54,6 +56,7 @@ SmoothingSettings::options () const
   overwrite (options.rounds.max_displacement, max_displacement_);
   overwrite (options.rounds.noise.sigma, noise_sigma_);
   overwrite (options.rounds.noise.spacing, point_spacing_);
+  overwrite (options.rounds.sheet_distance, sheet_distance_);
   options.update.search_interval = search_interval_;
   options.filter.oriented = options.update.oriented = options.rounds.oriented = oriented_;
   options.hough.seed = seed_;

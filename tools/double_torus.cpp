@@ -24,29 +24,38 @@ namespace
 constexpr double thickness = 0.12, flatness = 0.8;
 const Eigen::Vector3d box (1.2, 0.7, 0.25); // half the sides of a box around the surface
 
-/** The implicit function, below 0 inside. */
+/** 0 along a figure of eight. */
 double
-valueAt (const Eigen::Vector3d& p)
+eightAt (const Eigen::Vector3d& p)
 {
-  const double eight = p.x () * p.x () * (1 - p.x () * p.x ()) - p.y () * p.y (); // 0 along a figure of eight
-  return eight * eight + flatness * flatness * p.z () * p.z () - thickness * thickness;
+  return p.x () * p.x () * (1 - p.x () * p.x ()) - p.y () * p.y ();
+}
+} // namespace
+
+double
+doubleTorusValue (const Eigen::Vector3d& point)
+{
+  const double eight = eightAt (point);
+  return eight * eight + flatness * flatness * point.z () * point.z () - thickness * thickness;
 }
 
 Eigen::Vector3d
-gradientAt (const Eigen::Vector3d& p)
+doubleTorusGradient (const Eigen::Vector3d& point)
 {
-  const double eight = p.x () * p.x () * (1 - p.x () * p.x ()) - p.y () * p.y ();
-  return {2 * eight * (2 * p.x () - 4 * p.x () * p.x () * p.x ()), -4 * eight * p.y (),
-          2 * flatness * flatness * p.z ()};
+  const double eight = eightAt (point);
+  return {2 * eight * (2 * point.x () - 4 * point.x () * point.x () * point.x ()), -4 * eight * point.y (),
+          2 * flatness * flatness * point.z ()};
 }
 
+namespace
+{
 /** Newton's method along the gradient. */
 Eigen::Vector3d
 projected (Eigen::Vector3d p)
 {
   for (int step = 0; step < 10; ++step) {
-    const Eigen::Vector3d gradient = gradientAt (p);
-    p -= valueAt (p) / std::max (gradient.squaredNorm (), 1e-12) * gradient;
+    const Eigen::Vector3d gradient = doubleTorusGradient (p);
+    p -= doubleTorusValue (p) / std::max (gradient.squaredNorm (), 1e-12) * gradient;
   }
   return p;
 }
@@ -64,7 +73,7 @@ sampled (double spacing)
   grid->SetOrigin (Eigen::Vector3d (-box).data ());
   grid->AllocateScalars (VTK_DOUBLE, 1);
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints (); ++i)
-    grid->GetPointData ()->GetScalars ()->SetTuple1 (i, valueAt (Eigen::Vector3d (grid->GetPoint (i))));
+    grid->GetPointData ()->GetScalars ()->SetTuple1 (i, doubleTorusValue (Eigen::Vector3d (grid->GetPoint (i))));
   vtkNew<vtkFlyingEdges3D> surface;
   surface->SetInputData (grid);
   surface->SetValue (0, 0.0);

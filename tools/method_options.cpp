@@ -79,6 +79,7 @@ asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const S
   if (method.robust)
     line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " +
             textOf (method.rounds.noise.sigma) + " -point_spacing " + textOf (method.rounds.noise.spacing) +
+            optionIfFinite (" -sheet_distance ", method.rounds.sheet_distance) +
             optionIfFinite (" -max_displacement ", method.rounds.max_displacement);
   else
     line += " -weights " + wordFor (weights, method.filter.weight) + " -mixed " +
@@ -186,6 +187,10 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
                numberOption (0, limit, [&] (double sigma) { settings.setNoiseSigma (sigma); }));
   options.add ("-point_spacing", "D", "distance between neighbouring points, in the cloud's unit, for rounds",
                "estimated from the cloud", numberOption (0, limit, [&] (double d) { settings.setPointSpacing (d); }));
+  options.add ("-sheet_distance", "D",
+               "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds",
+               "4 noise_sigma; fast: all points lie on one sheet",
+               numberOption (0, limit, [&] (double d) { settings.setSheetDistance (d); }));
 }
 
 void

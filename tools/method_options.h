@@ -41,7 +41,7 @@ addFilterOptions (Options& options, const Standard& standard, SmoothingSettings&
 void
 addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings& settings);
 
-/** -noise_sigma -point_spacing */
+/** -noise_sigma -point_spacing -sheet_distance */
 void
 addNoiseOptions (Options& options, SmoothingSettings& settings);
 

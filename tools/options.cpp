@@ -155,10 +155,19 @@ Options::parse (int argc, char** argv)
     }
     option->given = true;
   }
-  if (files_.size () != file_roles_.size ())
-    throw UsageError (std::to_string (files_.size ()) + " file names are given, " +
-                      std::to_string (file_roles_.size ()) + " are needed\n" + usage (tool));
+  checkFiles (tool);
   return true;
+}
+
+void
+Options::checkFiles (const std::string& tool) const
+{
+  const std::string last = file_roles_.empty () ? "" : file_roles_.back ();
+  const bool any_more = last.size () > 3 && last.substr (last.size () - 3) == "...";
+  const std::size_t needed = file_roles_.size () - (any_more ? 1 : 0);
+  if (files_.size () < needed || (files_.size () > needed && !any_more))
+    throw UsageError (std::to_string (files_.size ()) + " file names are given, " + std::to_string (needed) +
+                      (any_more ? " or more" : "") + " are needed\n" + usage (tool));
 }
 
 std::string

@@ -75,7 +75,8 @@ class Options
 {
 public:
   /** \param[in] purpose what the tool does, for the help
-    * \param[in] files names of the files that it is given, in order */
+    * \param[in] files names of the files that it is given, in order; a last one that ends in "..." stands for any
+    *            number of files, none as well */
   void
   describe (const std::string& purpose, const std::vector<std::string>& files);
 
@@ -123,6 +124,10 @@ private:
 
   void
   printHelp (const std::string& tool) const;
+
+  /** \throw UsageError where there are too few or too many file names */
+  void
+  checkFiles (const std::string& tool) const;
 
   std::string purpose_;
   std::vector<std::string> file_roles_;

@@ -124,7 +124,12 @@ variationError (const Points& points, const Points& clean, unsigned k)
 double
 meanAngle (const std::vector<Eigen::Vector3d>& normals, const Mesh& mesh)
 {
-  const std::vector<Eigen::Vector3d> expected = vertexNormals (mesh);
+  return meanAngle (normals, vertexNormals (mesh));
+}
+
+double
+meanAngle (const std::vector<Eigen::Vector3d>& normals, const std::vector<Eigen::Vector3d>& expected)
+{
   std::vector<double> angles;
   for (std::size_t i = 0; i < normals.size (); ++i) {
     // atan2 keeps small angles, which acos of a cosine near 1 does not.

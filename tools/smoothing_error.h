@@ -33,5 +33,9 @@ variationError (const std::vector<Eigen::Vector3d>& points, const std::vector<Ei
   * length are left out; NaN where all are. */
 double
 meanAngle (const std::vector<Eigen::Vector3d>& normals, const Mesh& mesh);
+
+/** As above, to the \a expected normals. */
+double
+meanAngle (const std::vector<Eigen::Vector3d>& normals, const std::vector<Eigen::Vector3d>& expected);
 } // namespace tools
 } // namespace pcl_normal_smoothing

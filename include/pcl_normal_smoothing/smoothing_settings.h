@@ -137,6 +137,15 @@ public:
     point_spacing_ = spacing;
   }
 
+  /** A neighbour that is farther than this from the mean of both points' tangent planes may lie on another sheet and is not
+    * counted, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one. Default: four times the noise;
+    * infinity for FAST. */
+  void
+  setSheetDistance (double distance)
+  {
+    sheet_distance_ = distance;
+  }
+
   /** Of NormalSource::HOUGH. Default 0. */
   void
   setSeed (std::uint64_t seed)
@@ -181,6 +190,7 @@ private:
   std::optional<double> max_displacement_;
   std::optional<double> noise_sigma_;
   std::optional<double> point_spacing_;
+  std::optional<double> sheet_distance_;
   int search_interval_ = 0;
   bool oriented_ = false;
   std::uint64_t seed_ = 0;

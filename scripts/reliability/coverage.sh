@@ -3,9 +3,12 @@
 # usage: scripts/reliability/coverage.sh      the report: build_coverage/coverage.html
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=scripts/debian_packages.sh
+. "$root/scripts/debian_packages.sh"
 build=$root/build_coverage
 
-"$root/scripts/install_dependencies.sh" gcovr
+"$root/scripts/install_dependencies.sh"
+install_packages "gcovr|counts the lines that ran"
 cmake -S "$root" --preset coverage
 cmake --build "$build" --parallel "$(nproc)"
 find "$build" -name '*.gcda' -delete

@@ -4,10 +4,13 @@
 # What is found lands in build_fuzz/; exit status 1 where there is anything.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=scripts/debian_packages.sh
+. "$root/scripts/debian_packages.sh"
 seconds=${1:-300}
 build=$root/build_fuzz
 
-"$root/scripts/install_dependencies.sh" clang libomp-14-dev libclang-rt-14-dev
+"$root/scripts/install_dependencies.sh"
+install_packages "clang|the compiler" "libomp-14-dev|its OpenMP" "libclang-rt-14-dev|its sanitizers"
 cmake -S "$root" --preset fuzz
 cmake --build "$build" --parallel "$(nproc)" --target fuzz/all
 

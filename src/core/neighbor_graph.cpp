@@ -81,7 +81,7 @@ private:
   std::uint32_t*
   begin (std::size_t node)
   {
-    return graph_.neighbors_.data () + graph_.block_begin_[node / block_size] + node % block_size;
+    return graph_.neighbors_[0]->data () + graph_.block_begin_[node / block_size] + node % block_size;
   }
 
   void
@@ -90,7 +90,9 @@ private:
     graph_.block_begin_.assign (1, 0);
     for (const std::size_t length : lengths)
       graph_.block_begin_.push_back (graph_.block_begin_.back () + length * block_size);
-    graph_.neighbors_.resize (graph_.block_begin_.back ());
+    graph_.neighbors_ = {std::make_shared<Neighbors> (graph_.block_begin_.back ())};
+    for (std::size_t block = 0; block < lengths.size (); ++block)
+      graph_.block_rows_.push_back (graph_.neighbors_[0]->data () + graph_.block_begin_[block]);
   }
 
   void
@@ -129,6 +131,37 @@ NeighborGraph::minRowLength () const
   for (std::size_t node = 1; node < size (); ++node)
     length = std::min (length, row (node).size ());
   return length;
+}
+
+NeighborGraph::Ptr
+NeighborGraph::withRows (const std::vector<std::uint32_t>& nodes,
+                         const std::vector<std::uint32_t>& rows,
+                         std::size_t length) const
+{
+  const auto beginsBlock = [&] (std::size_t i) { return i == 0 || nodes[i] / block_size != nodes[i - 1] / block_size; };
+  std::size_t changed_size = 0;
+  for (std::size_t i = 0; i < nodes.size (); ++i)
+    if (beginsBlock (i))
+      changed_size += block_size * blockLength (nodes[i] / block_size);
+  const auto changed = std::make_shared<Neighbors> (changed_size);
+  auto graph = std::make_shared<NeighborGraph> (*this);
+  graph->neighbors_.push_back (changed);
+
+  std::uint32_t *row = nullptr, *end = changed->data ();
+  for (std::size_t i = 0; i < nodes.size (); ++i) {
+    const std::size_t block = nodes[i] / block_size, lane = nodes[i] % block_size;
+    if (beginsBlock (i)) {
+      row = end;
+      end = std::copy_n (blockRows (block), block_size * blockLength (block), row);
+      graph->block_rows_[block] = row;
+    }
+    // Lanes behind the last node repeat it.
+    const std::size_t lanes_end = nodes[i] + 1 == size () ? block_size : lane + 1;
+    for (std::size_t j = 0; j < blockLength (block); ++j)
+      std::fill (row + j * block_size + lane, row + j * block_size + lanes_end,
+                 j < length ? rows[i * length + j] : nodes[i]);
+  }
+  return graph;
 }
 
 namespace

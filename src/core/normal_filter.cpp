@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/normal_filter.h>
 #include <pcl_normal_smoothing/core/node_blocks.h>
+#include <pcl_normal_smoothing/core/normal_filter.h>
 
 #include <string>
 

@@ -16,7 +16,6 @@ namespace
 {
 constexpr int max_rounds = 6;
 constexpr int fine_k = 16;
-constexpr std::size_t start_k = 12;
 constexpr int max_k = 32;
 
 // Noise against spacing from which on it is much: the fitted normals are filtered; only large neighbourhoods serve.
@@ -56,6 +55,8 @@ check (const RobustSmoothingOptions& options)
                  std::to_string (options.noise.spacing) + ": give lengths of at least 0");
   if (options.rounds < 0 || options.rounds > max_rounds)
     throw Error ("the number of rounds is " + std::to_string (options.rounds) + ": give 0 to 6");
+  if (!(options.sheet_distance >= 0))
+    throw Error ("the sheet distance is " + std::to_string (options.sheet_distance) + ": give a length of at least 0");
   if (!(options.max_displacement > 0))
     throw Error ("the maximal displacement is " + std::to_string (options.max_displacement) +
                  ": give a length above 0");
@@ -110,7 +111,7 @@ private:
   forAllBlocks (const Kernel& kernel, const Arguments& arguments, std::size_t k)
   {
     forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
-      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k)});
+      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k), rows.begin});
     });
   }
 
@@ -170,7 +171,7 @@ private:
   {
     const auto k = static_cast<std::size_t> (std::min (options_.k, max_k));
     const bool first = weights_.empty ();
-    weights_.resize (static_cast<std::size_t> (graph_.blockRows (graph_.blockCount ()) - graph_.blockRows (0)));
+    weights_.resize (graph_.blockBegin (graph_.blockCount ()));
     risks_.resize (graph_.size ());
     StepControl control {};
     control.nodes = nodeArrays (positions_, normals_);
@@ -178,7 +179,6 @@ private:
     control.reference = reference_.data ()->data ();
     control.proposed = proposed_.data ()->data ();
     control.oriented = options_.oriented;
-    control.first_neighbor = graph_.blockRows (0);
     control.weights = weights_.data ();
     control.gain = 1.5f * options_.noise.sigma * options_.noise.sigma * gain;
     control.max_displacement = options_.max_displacement;
@@ -226,12 +226,12 @@ private:
 } // namespace
 
 Vectors
-startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution)
+startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k)
 {
   Vectors normals (graph.size ());
   const NormalOfNodes task {nodeArrays (positions, normals), normals.data ()->data ()};
   forEachBlock (graph, execution, [&] (const BlockRows& rows) {
-    kernels ().start_normals (task, {rows.neighbors, std::min (rows.length, start_k)});
+    kernels ().start_normals (task, {rows.neighbors, std::min (rows.length, k)});
   });
   return normals;
 }

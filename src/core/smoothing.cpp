@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/core/sheet_separation.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace
 {
 // Beyond this many standard deviations of the noise no point has any business.
 constexpr float displacement_sigmas = 5;
+// Two points of one sheet hardly lie farther apart across it.
+constexpr float sheet_sigmas = 4;
 
 void
 requireNormals (const Vectors& normals)
@@ -32,6 +35,7 @@ SmoothingOptions::inUnit (double unit) const
   convert (options.rounds.max_displacement);
   convert (options.rounds.noise.sigma);
   convert (options.rounds.noise.spacing);
+  convert (options.rounds.sheet_distance);
   return options;
 }
 
@@ -43,24 +47,42 @@ check (const SmoothingOptions& options)
   RobustSmoothingOptions rounds = options.rounds;
   rounds.noise.sigma = std::max (rounds.noise.sigma, 0.0f); // below 0 means that it is to be estimated
   rounds.noise.spacing = std::max (rounds.noise.spacing, 0.0f);
+  rounds.sheet_distance = std::max (rounds.sheet_distance, 0.0f);
   if (options.robust)
     check (rounds);
 }
 
 void
-estimateOptions (const NeighborGraph& graph,
-                 const Positions& positions,
-                 const Execution& execution,
-                 SmoothingOptions& options)
+prepareSmoothing (const Positions& positions,
+                  const Vectors& normals,
+                  const Execution& execution,
+                  NeighborGraph::ConstPtr& graph,
+                  SmoothingOptions& options)
 {
-  NoiseEstimate& noise = options.rounds.noise;
-  if (options.robust && (noise.sigma < 0 || noise.spacing < 0)) {
-    const NoiseEstimate estimate = estimateNoise (graph, positions, execution);
-    noise.sigma = noise.sigma < 0 ? estimate.sigma : noise.sigma;
-    noise.spacing = noise.spacing < 0 ? estimate.spacing : noise.spacing;
-  }
-  if (options.robust && !std::isfinite (options.rounds.max_displacement) && noise.sigma > 0)
-    options.rounds.max_displacement = displacement_sigmas * noise.sigma;
+  if (!options.robust)
+    return;
+  RobustSmoothingOptions& rounds = options.rounds;
+  NoiseEstimate& noise = rounds.noise;
+  const bool noise_known = noise.sigma >= 0 && noise.spacing >= 0;
+  NoiseEstimate estimate;
+  if (!noise_known)
+    estimate = estimateNoise (*graph, positions, execution);
+  if (rounds.sheet_distance < 0)
+    rounds.sheet_distance = sheet_sigmas * (noise.sigma >= 0 ? noise.sigma : estimate.sigma);
+
+  SheetSeparationOptions separation;
+  separation.distance = rounds.sheet_distance;
+  if (rounds.oriented && options.normals == NormalSource::INPUT)
+    separation.oriented_normals = &normals;
+  const NeighborGraph::ConstPtr separated = separateSheets (graph, positions, separation, execution);
+  if (separated != graph && !noise_known)
+    estimate.sigma = std::min (estimateNoise (*separated, positions, execution).sigma, 1.2f * estimate.sigma);
+  graph = separated;
+
+  noise.sigma = noise.sigma < 0 ? estimate.sigma : noise.sigma;
+  noise.spacing = noise.spacing < 0 ? estimate.spacing : noise.spacing;
+  if (!std::isfinite (rounds.max_displacement) && noise.sigma > 0)
+    rounds.max_displacement = displacement_sigmas * noise.sigma;
 }
 
 void

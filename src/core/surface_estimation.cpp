@@ -93,8 +93,7 @@ querySurfaces (const Positions& surface,
       row.clear ();
       for (const Neighbor& neighbor : tree.search (queries.base[i], queries.offset[i], query, scratch))
         row.push_back (tree.order ()[neighbor.slot]);
-      result[i] = estimator (
-          {points, queries.base[i], queries.offset[i], Row (row.data (), row.size (), 1)});
+      result[i] = estimator ({points, queries.base[i], queries.offset[i], Row (row.data (), row.size (), 1)});
     }
   });
   return result;
@@ -125,8 +124,7 @@ querySurfaces (const Positions& surface,
       }
       std::sort (found.begin (), found.end ());
       std::transform (found.begin (), found.end (), row.begin (), [] (const Neighbor& n) { return n.slot; });
-      result[i] = estimator (
-          {surface, queries.base[i], queries.offset[i], Row (row.data (), row.size (), 1)});
+      result[i] = estimator ({surface, queries.base[i], queries.offset[i], Row (row.data (), row.size (), 1)});
     }
   });
   return result;

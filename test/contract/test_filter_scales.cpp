@@ -169,6 +169,7 @@ TEST_F (SmoothingScales, TheOptionsThatWereUsedAreInTheCloudsUnit)
     const auto rounds = used (std::ldexp (1.0, exponent));
     EXPECT_EQ (rounds.noise.sigma, std::ldexp (expected.noise.sigma, exponent));
     EXPECT_EQ (rounds.noise.spacing, std::ldexp (expected.noise.spacing, exponent));
+    EXPECT_EQ (rounds.sheet_distance, std::ldexp (expected.sheet_distance, exponent));
     EXPECT_EQ (rounds.max_displacement, std::ldexp (expected.max_displacement, exponent));
   }
 }

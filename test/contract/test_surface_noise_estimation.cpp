@@ -16,16 +16,21 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 constexpr float spacing = 0.01f;
 constexpr double sigma = 0.2 * 0.01;
 
-/** A plane with noise along its normal. */
+/** A cloud of a shape parallel to z = 0 with noise along its normals. */
 Cloud::Ptr
-noisyPlane ()
+withNoise (const test_support::Shape& plane)
 {
-  const test_support::Shape plane = test_support::planeGrid (60, spacing);
   auto cloud = pcl::make_shared<Cloud> ();
   for (std::size_t i = 0; i < plane.size (); ++i)
     cloud->emplace_back (plane.points[i].x (), plane.points[i].y (),
-                         static_cast<float> (sigma * test_support::gaussianNoise (1, i)));
+                         plane.points[i].z () + static_cast<float> (sigma * test_support::gaussianNoise (1, i)));
   return cloud;
+}
+
+Cloud::Ptr
+noisyPlane ()
+{
+  return withNoise (test_support::planeGrid (60, spacing));
 }
 
 TEST (SurfaceNoiseEstimationTest, ReadsNoiseAndSpacing)
@@ -66,24 +71,32 @@ TEST (SurfaceNoiseEstimationTest, BadInputIsAnErrorAndGivesZero)
   EXPECT_EQ (noise.getSpacing (), 0);
 }
 
+void
+expectSameResultWithWhatWasEstimated (const Cloud::Ptr& cloud, SmoothingPreset preset)
+{
+  NormalSmoothing<pcl::PointXYZ> first, second;
+  Cloud expected, actual;
+  first.setPreset (preset);
+  first.setInputCloud (cloud);
+  first.filter (expected);
+  second.setPreset (preset);
+  second.setNoiseSigma (first.usedOptions ().rounds.noise.sigma);
+  second.setPointSpacing (first.usedOptions ().rounds.noise.spacing);
+  second.setSheetDistance (first.usedOptions ().rounds.sheet_distance);
+  second.setMaxDisplacement (first.usedOptions ().rounds.max_displacement);
+  second.setInputCloud (cloud);
+  second.filter (actual);
+  ASSERT_EQ (actual.size (), expected.size ());
+  for (std::size_t i = 0; i < actual.size (); ++i)
+    ASSERT_EQ (actual[i].getVector3fMap (), expected[i].getVector3fMap ()) << i;
+}
+
 TEST (SmoothingSettingsTest, WhatWasEstimatedGivesTheSameResultWhenItIsSet)
 {
-  const Cloud::Ptr cloud = noisyPlane ();
-  for (const auto preset : {SmoothingPreset::DEFAULT, SmoothingPreset::FAST}) {
-    NormalSmoothing<pcl::PointXYZ> first, second;
-    Cloud expected, actual;
-    first.setPreset (preset);
-    first.setInputCloud (cloud);
-    first.filter (expected);
-    second.setPreset (preset);
-    second.setNoiseSigma (first.usedOptions ().rounds.noise.sigma);
-    second.setPointSpacing (first.usedOptions ().rounds.noise.spacing);
-    second.setMaxDisplacement (first.usedOptions ().rounds.max_displacement);
-    second.setInputCloud (cloud);
-    second.filter (actual);
-    ASSERT_EQ (actual.size (), expected.size ());
-    for (std::size_t i = 0; i < actual.size (); ++i)
-      ASSERT_EQ (actual[i].getVector3fMap (), expected[i].getVector3fMap ()) << i;
-  }
+  // At two close sheets the noise is estimated a second time, without the points of the other.
+  const Cloud::Ptr sheets = withNoise (test_support::parallelSheets (60, spacing, 1.5f * spacing));
+  for (const Cloud::Ptr& cloud : {noisyPlane (), sheets})
+    for (const auto preset : {SmoothingPreset::DEFAULT, SmoothingPreset::FAST})
+      expectSameResultWithWhatWasEstimated (cloud, preset);
 }
 } // namespace

@@ -24,11 +24,11 @@ smoothed (const Positions& cloud,
 {
   using namespace pcl_normal_smoothing::core;
   const Execution execution (threads);
-  const auto graph = NeighborGraph::build (cloud, {k}, execution);
+  NeighborGraph::ConstPtr graph = NeighborGraph::build (cloud, {k}, execution);
   Positions nodes = gather (cloud, graph->order ());
   const Vectors start = nodes.offset;
-  estimateOptions (*graph, nodes, execution, options);
   Vectors of_nodes = normals.empty () ? Vectors () : byNode (normals, *graph);
+  prepareSmoothing (nodes, of_nodes, execution, graph, options);
   const Research research = [&] (const Positions& moved) { return graph->rebuild (moved, {k}, execution); };
   smooth (graph, options, research, execution, nodes, of_nodes);
   return {byPoint (displacements (start, nodes), *graph), byPoint (of_nodes, *graph)};

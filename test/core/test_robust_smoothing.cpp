@@ -22,6 +22,8 @@ robustOptions (bool fast)
   options.rounds.noise = {-1, -1};
   options.rounds.fast = fast;
   options.rounds.rounds = fast ? 3 : 6;
+  if (!fast)
+    options.rounds.sheet_distance = -1;
   return options;
 }
 
@@ -121,6 +123,42 @@ TEST_P (RobustSmoothingTest, TwoCloseSheetsKeepTheirDistance)
       toward -= (after[i] - noisy[i]).dot (sheets.normals[i]); // normals point away from the other sheet
     EXPECT_LT (toward / static_cast<double> (after.size ()), 0.05 * gap * spacing) << "gap " << gap;
   }
+}
+
+/** Of the p2s, that of two sheets over that of one alone. */
+double
+costOfASecondSheet (float gap, bool oriented)
+{
+  constexpr float spacing = 0.02f;
+  const Shape one = planeGrid (50, spacing), two = parallelSheets (50, spacing, gap * spacing);
+  SmoothingOptions options = robustOptions (false);
+  const auto distance = [&] (const Shape& shape, const Vectors& start) {
+    const Vectors noisy = withNormalNoise (shape, 0.2 * spacing, 5);
+    const Vectors after = sum (noisy, smoothed (asPositions (noisy), 32, options, start).displacements);
+    double total = 0;
+    for (std::size_t i = 0; i < after.size (); ++i)
+      total += std::abs ((after[i] - shape.points[i]).dot (shape.normals[i]));
+    return total / static_cast<double> (after.size ());
+  };
+  const double alone = distance (one, {});
+  if (oriented) {
+    options.normals = NormalSource::INPUT;
+    options.rounds.oriented = true;
+  }
+  return distance (two, oriented ? two.normals : Vectors ()) / alone;
+}
+
+TEST (RobustSmoothingOfSheetsTest, ASecondSheetCostsLittle)
+{
+  EXPECT_LT (costOfASecondSheet (3, false), 1.1);
+  EXPECT_LT (costOfASecondSheet (2, false), 1.5);
+  EXPECT_LT (costOfASecondSheet (1.5, false), 2.2);
+}
+
+TEST (RobustSmoothingOfSheetsTest, WithOrientedNormalsItCostsNothing)
+{
+  for (const float gap : {1.0f, 1.5f, 2.0f, 3.0f})
+    EXPECT_LT (costOfASecondSheet (gap, true), 1.1) << gap << " spacings apart";
 }
 
 TEST_P (RobustSmoothingTest, TheOutlineOfAPatchStays)

@@ -75,6 +75,7 @@ TEST_F (Usage, MalformedValue)
                                    "-format xml",
                                    "-preset slow",
                                    "-noise_sigma -1",
+                                   "-sheet_distance -1",
                                    "-max_displacement 0",
                                    "-update PAPER"})
     expectRefused ("pcl_normal_smoothing wave.pcd out.pcd " + option, option.substr (0, option.find (' ')));

@@ -13,6 +13,7 @@ struct BlockRows
 {
   const std::uint32_t* neighbors;
   std::size_t length;
+  std::size_t begin = 0; // of the block among the rows of all: NeighborGraph::blockBegin
 };
 
 /** Vectors of three floats of all nodes. */
@@ -37,6 +38,14 @@ struct NormalOfNodes
   float* normals; // out
 };
 
+/** Gives every node the best supported of the normals around: see core/sheet_separation.h. */
+struct NormalVoteStep
+{
+  NodeArrays nodes;
+  float height_factor; // 1 / (2 sigma^2) of the distance from a candidate's plane
+  float* elected;      // out
+};
+
 /** One iteration of the normal filter: see core/normal_filter.h. */
 struct NormalFilterStep
 {
@@ -44,10 +53,10 @@ struct NormalFilterStep
   const float* distance_factor; // 1 / (2 sigma_c^2) of every node
   int weight;                   // NormalWeight
   float threshold;
-  float normal_factor;          // 1 / (2 sigma_s^2)
-  bool rms;                     // MixedThreshold::RMS
+  float normal_factor; // 1 / (2 sigma_s^2)
+  bool rms;            // MixedThreshold::RMS
   bool oriented;
-  float* filtered;              // out
+  float* filtered; // out
 };
 
 /** One iteration of the point update: see core/point_update.h. */
@@ -70,12 +79,12 @@ struct QuadricFitStep
 {
   NodeArrays nodes;
   int solves;
-  bool turn_frame;       // to the first fit
-  bool by_normal;        // neighbours weigh by their normal too
+  bool turn_frame; // to the first fit
+  bool by_normal;  // neighbours weigh by their normal too
   bool oriented;
   float residual_factor; // 1 / (2 sigma^2) of the distance from the last fit
   float ridge;
-  float* fitted;         // out
+  float* fitted; // out
 };
 
 /** How much of a proposed step to take: see core/robust_smoothing.h. */
@@ -86,10 +95,9 @@ struct StepControl
   const float* reference; // offsets from which the risk is measured
   const float* proposed;  // offsets
   bool oriented;
-  const std::uint32_t* first_neighbor; // of the first block
-  std::uint8_t* weights;               // of all neighbours
-  float* risks;                        // a vector a node
-  float* averaged;                     // out of average_risks
+  std::uint8_t* weights; // of all neighbours
+  float* risks;          // a vector a node
+  float* averaged;       // out of average_risks
   float gain;
   float max_displacement;
   float* taken; // out of take_steps: offsets
@@ -119,6 +127,7 @@ struct Kernels
   void (*filter_normals) (const NormalFilterStep& step, const BlockRows& rows);
   void (*update_points) (const PointUpdateStep& step, const BlockRows& rows);
   void (*start_normals) (const NormalOfNodes& normals, const BlockRows& rows);
+  void (*elect_normals) (const NormalVoteStep& step, const BlockRows& rows);
   void (*residual_variances) (const NumberOfNodes& variances, const BlockRows& rows);
   void (*fit_normals) (const QuadricFitStep& step, const BlockRows& rows);
   void (*step_risks) (const StepControl& control, const BlockRows& rows);

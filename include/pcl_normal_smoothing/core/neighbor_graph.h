@@ -45,6 +45,13 @@ public:
   Ptr
   rebuild (const Positions& nodes, const Search& search, const Execution& execution) const;
 
+  /** A graph in which some rows are others, no longer than they were; it shares the memory of all other blocks.
+    * \param[in] nodes whose rows change, ascending
+    * \param[in] rows those of all \a nodes, one after the other, of \a length each; the node itself comes first and fills
+    * what is left behind the last neighbour */
+  Ptr
+  withRows (const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& rows, std::size_t length) const;
+
   /** Number of nodes. */
   std::size_t
   size () const
@@ -70,7 +77,15 @@ public:
   const std::uint32_t*
   blockRows (std::size_t block) const
   {
-    return neighbors_.data () + block_begin_[block];
+    return block_rows_[block];
+  }
+
+  /** Where the rows of a block begin among those of all blocks, one after the other; for \a block = blockCount () their
+    * end. */
+  std::size_t
+  blockBegin (std::size_t block) const
+  {
+    return block_begin_[block];
   }
 
   /** Length of the longest row of a block. */
@@ -101,8 +116,11 @@ public:
 private:
   class Rows;
 
+  using Neighbors = std::vector<std::uint32_t>;
+
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> neighbors_;
+  std::vector<std::shared_ptr<Neighbors>> neighbors_; // kept alive: those of all blocks, then changed ones
+  std::vector<const std::uint32_t*> block_rows_;
   std::vector<std::size_t> block_begin_; // blockCount () + 1
   std::size_t cloud_size_ = 0;
 };

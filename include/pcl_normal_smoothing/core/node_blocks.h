@@ -14,11 +14,10 @@ void
 forEachBlock (const NeighborGraph& graph, const Execution& execution, const Body& body)
 {
   parallelFor (
-      graph.blockCount (),
-      execution,
+      graph.blockCount (), execution,
       [&] (std::size_t begin, std::size_t end) {
         for (std::size_t block = begin; block < end; ++block)
-          body (BlockRows {graph.blockRows (block), graph.blockLength (block)});
+          body (BlockRows {graph.blockRows (block), graph.blockLength (block), graph.blockBegin (block)});
       },
       64);
 }

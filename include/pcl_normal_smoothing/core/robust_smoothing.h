@@ -23,6 +23,9 @@ struct RobustSmoothingOptions
   bool fast = false;
   /** Normals point to the same side everywhere: neighbours with opposite normals do not count. */
   bool oriented = false;
+  /** A neighbour that is farther than this from the mean of both tangent planes may lie on another sheet: see
+    * core/sheet_separation.h. In the unit of the positions; infinity: all lie on one. */
+  float sheet_distance = std::numeric_limits<float>::infinity ();
   /** No point ends farther from where it began, in the unit of the positions. */
   float max_displacement = std::numeric_limits<float>::infinity ();
 };
@@ -31,9 +34,9 @@ struct RobustSmoothingOptions
 void
 check (const RobustSmoothingOptions& options);
 
-/** Normals for the rounds to start from: WPCA (eq. 1) over the 12 nearest, in float; NaN where there are fewer than 3. */
+/** Normals for the rounds to start from: WPCA (eq. 1) over the \a k nearest, in float; NaN where there are fewer than 3. */
 Vectors
-startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution);
+startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k = 12);
 
 /** \param[in,out] positions of the nodes; their offsets change
   * \param[in,out] normals of the nodes to start from, length 1 or NaN; on return those of the last round */

@@ -19,7 +19,8 @@ struct SmoothingOptions
   HoughOptions hough;
   NormalFilterOptions filter;
   PointUpdateOptions update;
-  /** Where noise.sigma or noise.spacing is below 0 it is estimated; likewise max_displacement, from sigma. */
+  /** Where noise.sigma, noise.spacing or sheet_distance is below 0 it is estimated; likewise an infinite max_displacement,
+    * from sigma. */
   RobustSmoothingOptions rounds;
 
   /** The same options for positions in another unit: see Positions::unit. What is to be estimated stays so. */
@@ -31,13 +32,17 @@ struct SmoothingOptions
 void
 check (const SmoothingOptions& options);
 
-/** Fills in what the data has to tell: the noise of the cloud, and what follows from it.
-  * \param[in,out] options nothing changes where all is known */
+/** Lets the data tell what smoothing in rounds has to know: which neighbours lie on another sheet, the noise of the cloud,
+  * and what follows from it. Nothing changes for the paper's chain.
+  * \param[in] normals read only for NormalSource::INPUT
+  * \param[in,out] graph on return without neighbours on other sheets
+  * \param[in,out] options on return without anything to estimate; given again, they give the same graph */
 void
-estimateOptions (const NeighborGraph& graph,
-                 const Positions& positions,
-                 const Execution& execution,
-                 SmoothingOptions& options);
+prepareSmoothing (const Positions& positions,
+                  const Vectors& normals,
+                  const Execution& execution,
+                  NeighborGraph::ConstPtr& graph,
+                  SmoothingOptions& options);
 
 /** The whole method, Fig. 2 of Valdivia et al. 2013: estimate normals, filter them, move the points to fit them.
   * Or, for options.robust, all of it in rounds.

@@ -3,6 +3,7 @@
 // The table of the kernels of one instruction set; compiled once for each.
 #include "nearest.h"
 #include "normal_filter.h"
+#include "normal_vote.h"
 #include "point_update.h"
 #include "quadric_fit.h"
 #include "step_control.h"
@@ -74,6 +75,7 @@ const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA),
                        filterNormalsOfBlock,
                        updatePointsOfBlock,
                        onBlock<NormalOfNodes, startNormals>,
+                       onBlock<NormalVoteStep, electNormals>,
                        onBlock<NumberOfNodes, residualVariances>,
                        onBlock<QuadricFitStep, fitNormals>,
                        onBlock<StepControl, stepRisks>,

@@ -27,7 +27,7 @@ LANES_INLINE void
 averagingWeights (const StepControl& control, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  std::uint8_t* weights = control.weights + (own - control.first_neighbor);
+  std::uint8_t* weights = control.weights + rows.begin + first;
   const Lanes3 own_normal = load3 (control.nodes.normals, own);
   const LocalPoints local (control.nodes, rows, own);
   for (std::size_t j = 0; j < local.count; ++j) {
@@ -35,8 +35,8 @@ averagingWeights (const StepControl& control, const BlockRows& rows, int first)
     const Lanes x = 1 - turn (normal, own_normal, control.oriented);
     const Lanes exponent = 0.5f * dot (local.at[j], local.at[j]) + x * 2.0408163f; // |n_i - n_j|^2 / (2 .7^2)
     const Lanes weight = x == x ? local.one[j] * bell (exponent) : splat (0);
-    const Mask rounded = __builtin_convertvector (weight * 255.0f + 0.5f, Mask);
-    const Bytes bytes = __builtin_convertvector (rounded, Bytes);
+    const Mask rounded = __builtin_convertvector(weight * 255.0f + 0.5f, Mask);
+    const Bytes bytes = __builtin_convertvector(rounded, Bytes);
     std::memcpy (weights + 16 * j, &bytes, sizeof bytes);
   }
 }
@@ -46,11 +46,11 @@ LANES_INLINE void
 averageRisks (const StepControl& control, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const std::uint8_t* weights = control.weights + (own - control.first_neighbor);
+  const std::uint8_t* weights = control.weights + rows.begin + first;
   const std::size_t count = rows.length < max_fit_neighbors ? rows.length : max_fit_neighbors;
   Lanes sum_product = {}, sum_size = {}, sum = {};
   for (std::size_t j = 0; j < count; ++j) {
-    const Lanes weight = __builtin_convertvector (load<Bytes> (weights + 16 * j), Lanes);
+    const Lanes weight = __builtin_convertvector(load<Bytes> (weights + 16 * j), Lanes);
     const Lanes3 risk = load3 (control.risks, own + 16 * j);
     sum += weight;
     sum_product += weight * risk.x;

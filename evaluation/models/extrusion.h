@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "models/model.h"
+#include "models/profile.h"
+
+namespace pcl_normal_smoothing::evaluation
+{
+
+/** The closed mesh of the body over \a profile between z = 0 and z = \a height, its normals outwards; vertices about
+  * \a spacing apart, all on the exact surface, and on all of its edges. */
+tools::Mesh
+extrude (const Profile& profile, double height, double spacing);
+
+/** Exact. */
+double
+distanceToExtrusion (const Profile& profile, double height, const Eigen::Vector3d& point);
+
+} // namespace pcl_normal_smoothing::evaluation

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "models/model.h"
+
+namespace pcl_normal_smoothing::evaluation
+{
+
+/** Two squares of side 1 at z = 0 and z = \a gap, each of \a side x \a side vertices, their normals down and up. */
+tools::Mesh
+makeSheets (std::uint32_t side, double gap);
+
+/** Exact. */
+double
+distanceToSheets (double gap, const Eigen::Vector3d& point);
+
+} // namespace pcl_normal_smoothing::evaluation

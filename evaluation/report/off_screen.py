@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A display for VTK where there is none."""
+
+import contextlib
+import os
+import select
+import shutil
+import subprocess
+
+
+class NoDisplay(Exception):
+    """Nothing can be rendered; the text says why."""
+
+
+@contextlib.contextmanager
+def display():
+    """An X server of our own while the block runs, whatever display there is: its pictures are the same everywhere."""
+    if not shutil.which("Xvfb"):
+        raise NoDisplay("Xvfb is not installed: run evaluation/install_report.sh")
+    reading, writing = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"],
+        pass_fds=[writing], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+    )  # fmt: skip
+    os.close(writing)
+    before = os.environ.get("DISPLAY")
+    try:
+        ready, _, _ = select.select([reading], [], [], 30)
+        number = os.read(reading, 16).decode().strip() if ready else ""
+        if not number:
+            raise NoDisplay("Xvfb did not start")
+        os.environ["DISPLAY"] = f":{number}"
+        yield
+    finally:
+        os.close(reading)
+        server.terminate()
+        server.wait()
+        if before is None:
+            os.environ.pop("DISPLAY", None)
+        else:
+            os.environ["DISPLAY"] = before

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud_points.h"
+
+namespace pcl_normal_smoothing::evaluation
+{
+
+/** Writes points as a binary PLY cloud, and its folder where it is missing.
+  * \param[in] normals zero where there is none; may be empty \throw FileError */
+void
+savePoints (const tools::Points& points, const tools::Points& normals, const std::string& path);
+
+} // namespace pcl_normal_smoothing::evaluation

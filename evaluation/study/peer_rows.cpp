@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "peer.h"
+#include "study/families.h"
+#include "study/parallel_peers.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace pcl_normal_smoothing::evaluation
+{
+namespace
+{
+Row
+rowOf (const Case& that, const PeerSetting& setting)
+{
+  return that.row ("peer", setting.peer, setting.parameters + (setting.is_default ? " (default)" : ""));
+}
+
+/** The row of a peer whose points are the nearest to the mesh; nullptr where none has worked. */
+const Row*
+bestRow (const Case& that, const std::string& peer, const Results& results)
+{
+  const Row* best = nullptr;
+  for (const PeerSetting& setting : peerSettings ()) {
+    const Row* row = setting.peer == peer ? results.find (rowOf (that, setting).key ()) : nullptr;
+    if (row && row->ok () && (!best || row->measures.p2s_mean < best->measures.p2s_mean))
+      best = row;
+  }
+  return best;
+}
+
+/** All settings for the first seed, and what was best there for the others: the defaults are the slowest. */
+bool
+isWanted (const StudyOptions& options, const Case& that, const PeerSetting& setting, const Results& results)
+{
+  if (that.isFirst ())
+    return setting.is_default || !options.small;
+  Case first = that;
+  first.seed = 1;
+  const Row* best = bestRow (first, setting.peer, results);
+  return best && best->key () == rowOf (first, setting).key ();
+}
+
+/** How many peers have nothing to repeat for another seed: not yet, or not at all. */
+std::size_t
+peersWithoutBest (const StudyOptions& options, const Case& that, const Results& results)
+{
+  if (!options.peers || that.isFirst ())
+    return 0;
+  Case first = that;
+  first.seed = 1;
+  const std::vector<PeerSetting> settings = peerSettings ();
+  return static_cast<std::size_t> (std::count_if (settings.begin (), settings.end (), [&] (const PeerSetting& setting) {
+    return setting.is_default && !bestRow (first, setting.peer, results);
+  }));
+}
+
+std::vector<PeerSetting>
+missing (const StudyOptions& options, const Case& that, const Results& results)
+{
+  std::vector<PeerSetting> settings;
+  if (options.peers)
+    for (const PeerSetting& setting : peerSettings ())
+      if (isWanted (options, that, setting, results) && !results.answered (rowOf (that, setting).key ()))
+        settings.push_back (setting);
+  return settings;
+}
+
+/** "CGAL_jet_default" */
+std::string
+cloudStem (const PeerSetting& setting, const char* which)
+{
+  std::string stem = setting.peer + "_" + which;
+  std::replace (stem.begin (), stem.end (), ' ', '_');
+  return stem;
+}
+
+/** Keeps the cloud of a default, and of the best so far in the place of the one before. */
+std::string
+stemToKeep (const CaseWork& work, const PeerSetting& setting, const Row* best_before, const Row& row)
+{
+  if (!work.that.isFirst ())
+    return {};
+  if (setting.is_default)
+    return cloudStem (setting, "default");
+  return best_before && best_before->measures.p2s_mean <= row.measures.p2s_mean ? "" : cloudStem (setting, "best");
+}
+
+/** The row no longer is the peer's best: unless it is the default its cloud has been replaced. */
+void
+forgetCloud (Row row, const PeerSetting& better, const CaseWork& work)
+{
+  if (row.cloud != work.cloudPath (cloudStem (better, "best")))
+    return;
+  row.cloud.clear ();
+  work.results.put (row);
+}
+
+void
+take (const CaseWork& work, const PeerSetting& setting, const PeerResult& result)
+{
+  Row row = rowOf (work.that, setting);
+  row.seconds = result.seconds > 0 ? result.seconds : Measures::none;
+  if (!result.failure.empty ())
+    return work.refuse (Work::PEER, row, "failed", result.failure);
+  const Row* found = bestRow (work.that, setting.peer, work.results);
+  const std::optional<Row> best_before = found ? std::optional<Row> (*found) : std::nullopt;
+  work.answer (Work::PEER, row, result.points, {});
+  row = *work.results.find (row.key ());
+  if (!row.ok ())
+    return;
+  const std::string stem = stemToKeep (work, setting, best_before ? &*best_before : nullptr, row);
+  if (stem.empty ())
+    return;
+  if (!setting.is_default && best_before)
+    forgetCloud (*best_before, setting, work);
+  work.keepCloud (stem, result.points, {}, row);
+  work.results.put (row);
+}
+} // namespace
+
+void
+planPeers (const StudyOptions& options, const Case& that, const Results& results, Progress& progress)
+{
+  const std::size_t count = missing (options, that, results).size () + peersWithoutBest (options, that, results);
+  for (std::size_t i = 0; i < count; ++i)
+    progress.plan (Work::PEER, that.model.mesh.vertices.size ());
+}
+
+void
+workOnPeers (const CaseWork& work)
+{
+  for (std::size_t i = peersWithoutBest (work.options, work.that, work.results); i > 0; --i)
+    work.progress.skip (Work::PEER, work.noisy.size ());
+  std::vector<PeerSetting> settings;
+  for (const PeerSetting& setting : missing (work.options, work.that, work.results))
+    if (const auto reason = whyAbsent (setting.peer))
+      work.refuse (Work::PEER, rowOf (work.that, setting), "absent", *reason);
+    else
+      settings.push_back (setting);
+  PeerRun run;
+  run.time_limit = work.options.time_limit;
+  run.work_folder = work.options.folder + "/work";
+  std::error_code error; // where there is no folder, runPeer says so
+  std::filesystem::create_directories (run.work_folder, error);
+  runPeers (settings, work.noisy, run,
+            [&] (std::size_t i, const PeerResult& result) { take (work, settings[i], result); });
+  std::filesystem::remove_all (run.work_folder, error);
+}
+
+} // namespace pcl_normal_smoothing::evaluation

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace pcl_normal_smoothing::evaluation
+{
+
+/** Rows that take about as long as each other for the same number of points. */
+enum class Work
+{
+  OWN,
+  SWEEP,
+  PEER
+};
+
+/** Says on stderr how far a study is, and how long the rest takes by what the like has taken so far. */
+class Progress
+{
+public:
+  Progress ();
+
+  /** There is a row to come for a cloud of \a points. */
+  void
+  plan (Work work, std::size_t points);
+
+  /** A planned row is answered; \a what it was, for people. */
+  void
+  done (Work work, std::size_t points, const std::string& what);
+
+  /** A planned row needs no work after all. */
+  void
+  skip (Work work, std::size_t points);
+
+  double
+  secondsLeft () const;
+
+  /** Ends the line on a terminal. */
+  void
+  finish ();
+
+private:
+  struct Pace
+  {
+    double planned = 0, done = 0; // points
+    double seconds = 0;           // for those that are done
+    double guess = 0;             // seconds a point, before any is done
+  };
+
+  void
+  show (const std::string& what);
+
+  std::array<Pace, 3> paces_;
+  std::chrono::steady_clock::time_point last_, shown_;
+  bool on_terminal_;
+};
+
+/** "1 h 5 min", "5 min 20 s", "20 s". */
+std::string
+durationText (double seconds);
+
+} // namespace pcl_normal_smoothing::evaluation

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "study/families.h"
+#include "sweep/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_normal_smoothing::evaluation
+{
+namespace
+{
+Row
+rowOf (const Case& that, const Combination& combination)
+{
+  Row row = that.row ("sweep", combination.name (), combination.parameters ());
+  row.k = combination.k;
+  row.normal_iterations = combination.normal_iterations;
+  row.point_iterations = combination.point_iterations;
+  return row;
+}
+
+/** Answered with all the measures that are asked for. */
+bool
+isAnswered (const StudyOptions& options, const Results& results, const std::string& key)
+{
+  return results.answered (key) &&
+         (options.sweep_measures == MeasureSet::PAPER || std::isfinite (results.find (key)->measures.p2s_mean));
+}
+
+std::vector<Combination>
+missing (const StudyOptions& options, const Case& that, const Results& results)
+{
+  std::vector<Combination> combinations;
+  if (options.sweep && that.isFirst ())
+    for (const Combination& combination : allCombinations ())
+      if (!isAnswered (options, results, rowOf (that, combination).key ()))
+        combinations.push_back (combination);
+  return combinations;
+}
+
+/** How far off a row's cloud is; by the area where nothing else was measured. */
+double
+errorOf (const Row& row)
+{
+  return std::isfinite (row.measures.p2s_mean) ? row.measures.p2s_mean : row.measures.area_error;
+}
+
+/** Or there is no sweep. */
+bool
+extremesAreKept (const CaseWork& work)
+{
+  const std::vector<Combination> all = allCombinations ();
+  return !work.options.sweep || !work.that.isFirst () ||
+         2 <= std::count_if (all.begin (), all.end (), [&] (const auto& c) {
+           const Row* row = work.results.find (rowOf (work.that, c).key ());
+           return row && !row->cloud.empty ();
+         });
+}
+
+/** Keeps the clouds of the best and the worst, which are known only now. */
+void
+keepExtremes (const CaseWork& work, Sweep& sweep)
+{
+  std::vector<Combination> all = allCombinations ();
+  const auto rowFor = [&] (const Combination& c) { return *work.results.find (rowOf (work.that, c).key ()); };
+  all.erase (std::remove_if (all.begin (), all.end (), [&] (const auto& c) { return !rowFor (c).ok (); }), all.end ());
+  if (all.empty ())
+    return;
+  for (const Combination& combination : all)
+    if (Row row = rowFor (combination); !row.cloud.empty ()) {
+      row.cloud.clear ();
+      work.results.put (row);
+    }
+  const auto [best, worst] = std::minmax_element (all.begin (), all.end (), [&] (const auto& a, const auto& b) {
+    return errorOf (rowFor (a)) < errorOf (rowFor (b));
+  });
+  for (const auto& [combination, stem] : {std::pair (*best, "sweep_best"), std::pair (*worst, "sweep_worst")})
+    sweep.run ({combination}, [&, stem = stem] (const Combination& c, const Smoothed& smoothed) {
+      Row row = rowFor (c);
+      work.keepCloud (stem, smoothed.points, smoothed.normals, row);
+      work.results.put (row);
+    });
+}
+} // namespace
+
+void
+planSweep (const StudyOptions& options, const Case& that, const Results& results, Progress& progress)
+{
+  for (std::size_t i = missing (options, that, results).size (); i > 0; --i)
+    progress.plan (Work::SWEEP, that.model.mesh.vertices.size ());
+}
+
+void
+workOnSweep (const CaseWork& work)
+{
+  const std::vector<Combination> combinations = missing (work.options, work.that, work.results);
+  if (combinations.empty () && extremesAreKept (work))
+    return;
+  Sweep sweep (work.noisy);
+  sweep.run (combinations, [&] (const Combination& combination, const Smoothed& smoothed) {
+    Row row = rowOf (work.that, combination);
+    row.seconds = smoothed.seconds;
+    work.answer (Work::SWEEP, row, smoothed.points, smoothed.normals, work.options.sweep_measures);
+  });
+  keepExtremes (work, sweep);
+}
+
+} // namespace pcl_normal_smoothing::evaluation

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/node_blocks.h>
+#include <pcl_normal_smoothing/core/robust_smoothing.h>
+#include <pcl_normal_smoothing/core/sheet_separation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr std::size_t start_k = 8;
+constexpr std::size_t row_length = 32; // what smoothing in rounds looks at
+constexpr int min_others = 3;
+// Sheets are parallel; a neighbour across an edge is none of them.
+constexpr float min_cosine = .7f;
+
+/** How sure it must be that a neighbour lies on another sheet: normals are wrong by some slope. */
+struct Evidence
+{
+  float distances; // of the sheet distance
+  float slope;
+};
+
+// A row changes only where there is no doubt; then it had better lose a point too much.
+constexpr Evidence to_change = {1, .3f};
+constexpr Evidence to_drop = {.875f, .15f};
+
+class SheetTest
+{
+public:
+  SheetTest (const Positions& positions, const Vectors& normals, float distance, bool oriented)
+  : positions_ (positions), normals_ (normals), sq_distance_ (distance * distance), oriented_ (oriented)
+  {}
+
+  bool
+  isOther (std::uint32_t i, std::uint32_t j, const Evidence& evidence) const
+  {
+    const Eigen::Vector3f &own = normals_[i], &normal = normals_[j];
+    const float cosine = own.dot (normal);
+    if (oriented_ && cosine < 0)
+      return true;
+    const Eigen::Vector3f way = positions_.difference (i, j);
+    const float height = .5f * (way.dot (own) + (cosine < 0 ? -way.dot (normal) : way.dot (normal)));
+    return std::abs (cosine) > min_cosine &&
+           height * height > evidence.distances * evidence.distances * sq_distance_ +
+                                 evidence.slope * evidence.slope * squaredLength (way);
+  }
+
+private:
+  const Positions& positions_;
+  const Vectors& normals_;
+  float sq_distance_;
+  bool oriented_;
+};
+
+Vectors
+electedNormals (const NeighborGraph& graph, const Positions& positions, float distance, const Execution& execution)
+{
+  const Vectors candidates = startNormals (graph, positions, execution, start_k);
+  Vectors elected (graph.size ());
+  NormalVoteStep step {};
+  step.nodes = nodeArrays (positions, candidates);
+  // Twice the noise, of which the sheet distance is four times.
+  step.height_factor = 2 / std::max (distance * distance, std::numeric_limits<float>::min () * 1e8f);
+  step.elected = elected.data ()->data ();
+  forEachBlock (graph, execution, [&] (const BlockRows& rows) {
+    kernels ().elect_normals (step, {rows.neighbors, std::min (rows.length, row_length)});
+  });
+  return elected;
+}
+
+std::vector<std::uint32_t>
+nodesBesideOtherSheets (const NeighborGraph& graph, const SheetTest& test, const Execution& execution)
+{
+  std::vector<std::uint8_t> beside (graph.size ());
+  parallelFor (graph.size (), execution, [&] (std::size_t begin, std::size_t end) {
+    for (auto node = static_cast<std::uint32_t> (begin); node < end; ++node) {
+      const Row row = graph.row (node);
+      int others = 0;
+      for (std::size_t j = 1; j < std::min (row.size (), row_length) && others < min_others; ++j)
+        others += test.isOther (node, row[j], to_change);
+      beside[node] = others == min_others;
+    }
+  });
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t node = 0; node < graph.size (); ++node)
+    if (beside[node])
+      nodes.push_back (node);
+  return nodes;
+}
+
+/** Writes the row of \a node, of row_length, from the neighbours of its neighbours on its own sheet. */
+void
+writeOwnSheet (const NeighborGraph& graph,
+               const Positions& positions,
+               const SheetTest& test,
+               std::uint32_t node,
+               std::uint32_t* out)
+{
+  const Row row = graph.row (node);
+  std::vector<std::uint32_t> found;
+  for (std::size_t j = 0; j < row.size (); ++j) {
+    if (j > 0 && test.isOther (node, row[j], to_drop))
+      continue;
+    const Row further = graph.row (row[j]);
+    for (std::size_t t = 0; t < further.size (); ++t)
+      found.push_back (further[t]);
+  }
+  std::sort (found.begin (), found.end ());
+  found.erase (std::unique (found.begin (), found.end ()), found.end ());
+
+  std::vector<Neighbor> own_sheet;
+  for (const std::uint32_t other : found)
+    if (other != node && !test.isOther (node, other, to_drop))
+      own_sheet.push_back ({squaredLength (positions.difference (node, other)), graph.order ()[other], other});
+  const std::size_t size = std::min ({own_sheet.size (), row.size () - 1, row_length - 1});
+  std::partial_sort (own_sheet.begin (), own_sheet.begin () + static_cast<std::ptrdiff_t> (size), own_sheet.end ());
+  std::fill_n (out, row_length, node);
+  for (std::size_t j = 0; j < size; ++j)
+    out[j + 1] = own_sheet[j].slot;
+}
+} // namespace
+
+NeighborGraph::ConstPtr
+separateSheets (const NeighborGraph::ConstPtr& graph,
+                const Positions& positions,
+                const SheetSeparationOptions& options,
+                const Execution& execution)
+{
+  const bool oriented = options.oriented_normals != nullptr;
+  if (!oriented && !std::isfinite (options.distance))
+    return graph;
+  const Vectors normals =
+      oriented ? *options.oriented_normals : electedNormals (*graph, positions, options.distance, execution);
+  const SheetTest test (positions, normals, options.distance, oriented);
+  const std::vector<std::uint32_t> nodes = nodesBesideOtherSheets (*graph, test, execution);
+  if (nodes.empty ())
+    return graph;
+  std::vector<std::uint32_t> rows (nodes.size () * row_length);
+  parallelFor (
+      nodes.size (), execution,
+      [&] (std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          writeOwnSheet (*graph, positions, test, nodes[i], rows.data () + i * row_length);
+      },
+      64);
+  return graph->withRows (nodes, rows, row_length);
+}
+} // namespace core
+} // namespace pcl_normal_smoothing
