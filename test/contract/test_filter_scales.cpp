@@ -49,9 +49,10 @@ protected:
       for (std::size_t i = 0; i < output.size (); ++i) {
         ASSERT_EQ (output[i].getVector3fMap (), static_cast<float> (scale) * expected[i].getVector3fMap ())
             << "point " << i << ", scale 2^" << exponent;
-        if constexpr (FilterScales::has_normal)
+        if constexpr (FilterScales::has_normal) {
           ASSERT_EQ (output[i].getNormalVector3fMap (), expected[i].getNormalVector3fMap ())
               << "point " << i << ", scale 2^" << exponent;
+        }
       }
     }
   }
@@ -94,9 +95,10 @@ TYPED_TEST (FilterScales, OtherUnitsDoNotChangeItMuch)
       const Eigen::Vector3d at = output[i].getVector3fMap ().template cast<double> () / scale;
       ASSERT_LT ((at - expected[i].getVector3fMap ().template cast<double> ()).norm (), 1e-4)
           << "point " << i << ", scale " << scale;
-      if constexpr (TestFixture::has_normal)
+      if constexpr (TestFixture::has_normal) {
         ASSERT_LT ((output[i].getNormalVector3fMap () - expected[i].getNormalVector3fMap ()).norm (), 1e-3)
             << "point " << i << ", scale " << scale;
+      }
     }
   }
 }
