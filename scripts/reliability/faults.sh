@@ -24,7 +24,7 @@ check ()
 {
   local name=$1
   shift
-  if "$@"; then report ok "$name"; else report FAIL "$name ($*; message: $(head -c 300 err 2>/dev/null))"; fi
+  if "$@"; then report ok "$name"; else report FAIL "$name: $(head -c 300 err 2>/dev/null)"; fi
 }
 
 # as_before: only the files that were there, with their content
@@ -53,24 +53,45 @@ says ()
   grep -q -- "$1" err
 }
 
+# A cloud of 4,350 points, and one that takes a while to write.
 make_clouds ()
 {
   "$tools/pcl_make_double_torus" mesh.ply >/dev/null
   "$tools/pcl_add_surface_noise" mesh.ply cloud.pcd >/dev/null
   "$smooth" cloud.pcd complete.pcd -preset fast -format ascii >/dev/null
+  awk 'BEGIN {
+    print "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 60000\nHEIGHT 1\nPOINTS 60000\nDATA ascii"
+    srand (1)
+    for (i = 0; i < 60000; ++i)
+      printf "%.7g %.7g %.7g\n", i % 245 / 100, int (i / 245) / 100, sin (i % 245 / 50) + 0.005 * rand ()
+  }' >large.pcd
+  "$smooth" large.pcd large_complete.pcd -preset fast -format ascii >/dev/null
 }
 
-# Killed without warning at any moment: the output is what was there before, or complete.
+# seconds FROM TO: a random number
+seconds ()
+{
+  awk -v seed=$RANDOM -v a="$1" -v b="$2" 'BEGIN {srand (seed); print a + (b - a) * rand ()}'
+}
+
+# Killed without warning at random moments, two of three while it writes: the output is the old file or the new one.
 killed ()
 {
-  local i wrong=0 old=0 new=0
+  local i pid wrong=0 old=0 new=0 writing=0
   for ((i = 0; i < kills; ++i)); do
     echo precious >target.pcd
-    "$smooth" cloud.pcd target.pcd -preset fast -format ascii >/dev/null 2>&1 &
-    sleep "$(awk -v s=$i -v n="$kills" -v t="$duration" 'BEGIN {srand (s); print t * (0.4 + 0.7 * rand ())}')"
-    kill -KILL $! 2>/dev/null
-    wait $! 2>/dev/null
-    if cmp -s target.pcd complete.pcd; then
+    "$smooth" large.pcd target.pcd -preset fast -format ascii >/dev/null 2>&1 &
+    pid=$!
+    if [ $((i % 3)) -eq 0 ]; then
+      sleep "$(seconds 0 "$duration")"
+    else
+      until compgen -G 'target.??????.pcd' >/dev/null || ! kill -0 $pid 2>/dev/null; do :; done
+      sleep "$(seconds 0 0.04)"
+    fi
+    kill -KILL $pid 2>/dev/null
+    wait $pid 2>/dev/null
+    compgen -G 'target.??????.pcd' >/dev/null && writing=$((writing + 1))
+    if cmp -s target.pcd large_complete.pcd; then
       new=$((new + 1))
     elif [ "$(cat target.pcd)" = precious ]; then
       old=$((old + 1))
@@ -79,7 +100,7 @@ killed ()
     fi
     rm -f target.??????.pcd
   done
-  check "killed $kills times while it works: $old times the old file, $new times the new one" [ $wrong -eq 0 ]
+  check "killed $kills times, $writing while it wrote: $old times the old file, $new times the new one" [ $wrong -eq 0 ]
   rm -f target.pcd
 }
 
@@ -98,12 +119,12 @@ interrupted ()
   done
 }
 
-# The same with a disk of 300 kB.
+# A disk of 64 kB.
 full_disk ()
 {
   disk=$folder/disk
   mkdir "$disk"
-  if ! mount -t tmpfs -o size=300k tmpfs "$disk" 2>/dev/null; then
+  if ! mount -t tmpfs -o size=64k tmpfs "$disk" 2>/dev/null; then
     report skip "a full disk: this user may not mount a tmpfs"
     disk=
     return
@@ -136,7 +157,7 @@ read_only ()
 
 vanishing_input ()
 {
-  cp cloud.pcd going.pcd
+  cp large.pcd going.pcd
   "$smooth" going.pcd target.pcd -preset fast -format ascii >out 2>err &
   sleep "$(awk -v t="$duration" 'BEGIN {print t / 2}')"
   rm going.pcd
@@ -144,7 +165,7 @@ vanishing_input ()
   local status=$?
   check "the input goes while the tool works: status 0 or 2" [ $status -eq 0 -o $status -eq 2 ]
   if [ $status -eq 0 ]; then
-    check "the input goes while the tool works: the output is complete" cmp -s target.pcd complete.pcd
+    check "the input goes while the tool works: the output is complete" cmp -s target.pcd large_complete.pcd
   else
     check "the input goes while the tool works: nothing is written" [ ! -e target.pcd ]
   fi
@@ -194,12 +215,12 @@ closed_streams ()
 no_memory ()
 {
   local limit status wrong=0 refused=0
-  for limit in 600000 400000 300000 280000 270000 260000 255000 250000 245000 240000 235000 230000 220000; do
-    (ulimit -v $limit; OMP_NUM_THREADS=1 exec "$smooth" cloud.pcd target.pcd -preset fast -format ascii -threads 1) >out 2>err
+  for ((limit = 1000000; limit > 50000; limit = limit * 97 / 100)); do
+    (ulimit -v $limit; exec "$smooth" large.pcd target.pcd -preset fast -format ascii -threads 1) >out 2>err
     status=$?
     [ $status -ne 127 ] || break # the libraries alone do not fit
     if [ $status -eq 0 ]; then
-      cmp -s target.pcd complete.pcd || wrong=$((wrong + 1))
+      cmp -s target.pcd large_complete.pcd || wrong=$((wrong + 1))
     elif [ $status -eq 2 ] || [ $status -eq 3 ]; then
       refused=$((refused + 1))
       [ ! -e target.pcd ] && says memory || wrong=$((wrong + 1))
@@ -214,7 +235,7 @@ no_memory ()
 
 make_clouds
 start=$(date +%s.%N)
-"$smooth" cloud.pcd target.pcd -preset fast -format ascii >/dev/null
+"$smooth" large.pcd target.pcd -preset fast -format ascii >/dev/null
 duration=$(awk -v a="$start" -v b="$(date +%s.%N)" 'BEGIN {print b - a}')
 rm target.pcd
 before=$(checksums)
