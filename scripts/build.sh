@@ -10,5 +10,6 @@ while [[ ${1:-} == -D* ]]; do
   shift
 done
 "$root/scripts/install_dependencies.sh"
-cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${settings[@]}"
+cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DWARNINGS_AS_ERRORS="${WARNINGS_AS_ERRORS:-OFF}" "${settings[@]}"
 cmake --build "$root/build" --parallel "$(nproc)" --target "${@:-all}"

@@ -47,7 +47,7 @@ xyzCloud (const core::Positions& positions)
 {
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> ();
   for (std::size_t i = 0; i < positions.size (); ++i) {
-    const Eigen::Vector3f p = positions.base[i] + positions.offset[i];
+    const Eigen::Vector3f p = positions.inCloudUnit (i);
     cloud->emplace_back (p.x (), p.y (), p.z ());
   }
   return cloud;

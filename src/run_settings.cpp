@@ -33,6 +33,12 @@ RunSettings::attempt (const std::string& class_name, const std::function<void ()
   return Outcome::FAILED;
 }
 
+void
+RunSettings::failWithoutInput ()
+{
+  throw core::Error ("no input cloud is set: call setInputCloud");
+}
+
 NeighborGraph::ConstPtr
 RunSettings::fittingGraph (const core::Positions& cloud) const
 {
@@ -42,7 +48,8 @@ RunSettings::fittingGraph (const core::Positions& cloud) const
                        ": build the graph from this cloud, or call setNeighborGraph (nullptr)");
   for (const std::uint32_t i : neighbor_graph_->order ())
     if (!cloud.base[i].allFinite ())
-      throw core::Error ("point " + std::to_string (i) + " is not finite, but has a row in the neighbour graph: "
+      throw core::Error ("point " + std::to_string (i) +
+                         " is not finite, but has a row in the neighbour graph: "
                          "build the graph from this cloud, or call setNeighborGraph (nullptr)");
   return neighbor_graph_;
 }

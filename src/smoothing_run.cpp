@@ -19,13 +19,16 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
                       const core::Execution& execution)
 {
   graph_ = graph;
+  unit_ = cloud_.unit;
   core::Positions nodes = core::gather (cloud_, graph->order (), execution.silent ());
   cloud_ = {}; // the nodes are a copy: keep the peak of memory low
   displacements_ = nodes.offset;
   if (normals)
     normals_ = readNormals (*normals, graph->order ());
-  core::prepareSmoothing (nodes, normals_, execution.silent (), graph_, options_);
-  core::smooth (graph_, options_, research, execution, nodes, normals_);
+  core::SmoothingOptions options = options_.inUnit (unit_);
+  core::prepareSmoothing (nodes, normals_, execution.silent (), graph_, options);
+  core::smooth (graph_, options, research, execution, nodes, normals_);
+  options_ = options.inUnit (1 / unit_);
   for (std::size_t node = 0; node < nodes.size (); ++node)
     displacements_[node] = nodes.offset[node] - displacements_[node];
 }
@@ -33,7 +36,7 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
 void
 SmoothingRun::writePositions (const VectorLayout& layout, std::uint8_t* data) const
 {
-  writeDisplacements (displacements_, graph_->order (), selected_, layout, data);
+  writeDisplacements (displacements_, unit_, graph_->order (), selected_, layout, data);
 }
 
 void

@@ -68,13 +68,62 @@ VectorLayout::set (std::uint8_t* data, std::size_t i, const Eigen::Vector3d& val
   }
 }
 
+namespace
+{
+/** At least half of the points lie within this distance of the middle one, along each axis: a few far off do not count. Of
+  * some hundreds of points. */
+double
+typicalExtent (const VectorView& view)
+{
+  constexpr std::size_t sample_size = 1000, prime = 2654435761; // visits every point of a smaller cloud once
+  std::vector<Eigen::Vector3d> sample;
+  for (std::size_t i = 0; i < std::min (view.size, sample_size); ++i) {
+    const Eigen::Vector3d point = view.layout.get (view.data, i * prime % view.size);
+    if (point.allFinite ())
+      sample.push_back (point);
+  }
+  if (sample.empty ())
+    return 0;
+  const auto middleOf = [] (std::vector<double>& numbers) {
+    const auto middle = numbers.begin () + static_cast<std::ptrdiff_t> (numbers.size () / 2);
+    std::nth_element (numbers.begin (), middle, numbers.end ());
+    return *middle;
+  };
+  std::vector<double> numbers (sample.size ());
+  Eigen::Vector3d center;
+  for (int d = 0; d < 3; ++d) {
+    std::transform (sample.begin (), sample.end (), numbers.begin (), [d] (const auto& point) { return point[d]; });
+    center[d] = middleOf (numbers);
+  }
+  std::transform (sample.begin (), sample.end (), numbers.begin (),
+                  [&] (const auto& point) { return (point - center).template lpNorm<Eigen::Infinity> (); });
+  const double extent = middleOf (numbers);
+  return extent > 0 ? extent : *std::max_element (numbers.begin (), numbers.end ());
+}
+} // namespace
+
+double
+unitOf (const VectorView& positions)
+{
+  constexpr int no_need = 20, most = 1000;
+  const double extent = typicalExtent (positions);
+  const int exponent = std::isinf (extent) ? most : extent > 0 ? std::clamp (std::ilogb (extent), -most, most) : 0;
+  return std::abs (exponent) <= no_need ? 1 : std::ldexp (1.0, exponent);
+}
+
 core::Positions
 readPositions (const VectorView& view, const core::Execution& execution)
 {
-  core::Positions positions {core::Vectors (view.size), core::Vectors (view.size)};
+  return readPositions (view, unitOf (view), execution);
+}
+
+core::Positions
+readPositions (const VectorView& view, double unit, const core::Execution& execution)
+{
+  core::Positions positions {core::Vectors (view.size), core::Vectors (view.size), unit};
   core::parallelFor (view.size, execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3d position = view.layout.get (view.data, i);
+      const Eigen::Vector3d position = view.layout.get (view.data, i) / unit;
       positions.base[i] = position.cast<float> ();
       positions.offset[i] = (position - positions.base[i].cast<double> ()).cast<float> ();
     }
@@ -112,14 +161,19 @@ selectPoints (const pcl::Indices& indices, std::size_t size)
 
 void
 writeDisplacements (const core::Vectors& displacements,
+                    double unit,
                     const std::vector<std::uint32_t>& order,
                     const std::vector<bool>& selected,
                     const VectorLayout& layout,
                     std::uint8_t* data)
 {
   for (std::size_t node = 0; node < order.size (); ++node)
-    if (selected[order[node]] && !displacements[node].isZero (0))
-      layout.set (data, order[node], layout.get (data, order[node]) + displacements[node].cast<double> ());
+    if (selected[order[node]] && !displacements[node].isZero (0)) {
+      layout.set (data, order[node], layout.get (data, order[node]) + unit * displacements[node].cast<double> ());
+      if (!layout.get (data, order[node]).allFinite ())
+        throw core::Error ("point " + std::to_string (order[node]) +
+                           " would move to where its coordinates can hold no number: give the cloud in another unit");
+    }
 }
 
 void

@@ -33,6 +33,7 @@ extern const char* const normals_advice;
 void
 checkPointCount (std::size_t finite_points, std::size_t k);
 
+/** \param[in] query in the cloud's unit */
 CloudGraph
 searchNeighbors (const CloudFile& file, const core::NeighborQuery& query, const core::Execution& execution);
 

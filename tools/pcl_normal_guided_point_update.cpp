@@ -41,10 +41,11 @@ class NormalGuidedPointUpdateTool : public tools::Tool
     std::uint8_t* data = file.cloud->data.data ();
     const std::vector<std::uint32_t>& order = cloud.graph->order ();
     const core::Vectors start = cloud.nodes.offset;
-    core::updatePoints (cloud.graph, readNormals ({normals, data, file.size ()}, order), settings_.options ().update,
-                        {}, execution.part (0.7, 1), cloud.nodes);
-    writeDisplacements (core::displacements (start, cloud.nodes), order, std::vector<bool> (file.size (), true),
-                        tools::positionsOf (file).layout, data);
+    core::updatePoints (cloud.graph, readNormals ({normals, data, file.size ()}, order),
+                        settings_.options ().update.inUnit (cloud.nodes.unit), {}, execution.part (0.7, 1),
+                        cloud.nodes);
+    writeDisplacements (core::displacements (start, cloud.nodes), cloud.nodes.unit, order,
+                        std::vector<bool> (file.size (), true), tools::positionsOf (file).layout, data);
     tools::saveResult (file, options.file (1), format_.format);
   }
 

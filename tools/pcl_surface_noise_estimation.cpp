@@ -29,7 +29,8 @@ class SurfaceNoiseEstimationTool : public tools::Tool
     const tools::CloudFile file = tools::loadInput (options.file (0));
     const core::Execution execution (search_.threads, tools::progressOnTerminal ());
     const tools::CloudGraph cloud = tools::searchNeighbors (file, search_.query (standard_k), execution.part (0, 0.9));
-    const core::NoiseEstimate noise = core::estimateNoise (*cloud.graph, cloud.nodes, execution.part (0.9, 1));
+    const core::NoiseEstimate noise =
+        core::estimateNoise (*cloud.graph, cloud.nodes, execution.part (0.9, 1)).inCloudUnit (cloud.nodes.unit);
     if (noise.spacing > 0)
       std::printf ("noise sigma %.9g, spacing %.9g, in the cloud's unit: noise of %.3f spacings\n", noise.sigma,
                    noise.spacing, noise.sigma / noise.spacing);

@@ -3,6 +3,7 @@
 
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 #include <pcl_normal_smoothing/core/surface_estimation.h>
+#include <pcl_normal_smoothing/vector_layout.h>
 
 #include <vtkCellArray.h>
 #include <vtkGenericCell.h>
@@ -47,11 +48,9 @@ toVtk (const Mesh& mesh, const Eigen::Vector3d& origin)
 std::vector<double>
 variations (const Points& points, unsigned k)
 {
-  core::Positions cloud;
-  for (const Eigen::Vector3d& point : points) { // as readPositions does with a cloud
-    cloud.base.push_back (point.cast<float> ());
-    cloud.offset.push_back ((point - cloud.base.back ().cast<double> ()).cast<float> ());
-  }
+  const VectorLayout layout (sizeof (Eigen::Vector3d), {0, 8, 16}, VectorLayout::Scalar::FLOAT64);
+  const core::Positions cloud =
+      readPositions ({layout, reinterpret_cast<const std::uint8_t*> (points.data ()), points.size ()});
   core::NeighborQuery query;
   query.k = k;
   const core::Execution execution;

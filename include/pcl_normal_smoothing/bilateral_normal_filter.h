@@ -18,7 +18,8 @@ namespace pcl_normal_smoothing
   * not finite or zero, stays as it is and does not count for its neighbours. With setIndices all normals are filtered,
   * and those of the indexed points are written.
   *
-  * k or a radius must be set, or a neighbour graph. On an error the output is empty; see getErrorMessage. */
+  * k or a radius must be set, or a neighbour graph. On an error the output is empty, see filter and
+  * getErrorMessage. */
 template <typename PointT>
 class BilateralNormalFilter : public pcl::Filter<PointT>, public SearchSettings<PointT>, public InputNormals
 {
@@ -117,6 +118,17 @@ public:
     * \param[out] normals one for every point of the input, curvature kept; empty on an error */
   void
   filterNormals (pcl::PointCloud<pcl::Normal>& normals);
+
+  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other output is
+    * empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error in place empties
+    * the cloud, and without an input the output keeps what it held.
+    * \param[out] output the input with filtered normals */
+  void
+  filter (PointCloud& output)
+  {
+    this->filterInto (this->filter_name_, this->input_.get (), output,
+                      [this] (PointCloud& result) { pcl::Filter<PointT>::filter (result); });
+  }
 
 protected:
   /** \param[out] output the input with filtered normals. Refused for a PointT without normals: see filterNormals. */

@@ -18,7 +18,8 @@ namespace pcl_normal_smoothing
   * finite, or whose normal is not finite or zero, stays where it is and moves no other. With setIndices all points move,
   * and the positions of the indexed ones are written.
   *
-  * k or a radius must be set, or a neighbour graph. On an error the output is empty; see getErrorMessage. */
+  * k or a radius must be set, or a neighbour graph. On an error the output is empty, see filter and
+  * getErrorMessage. */
 template <typename PointT>
 class NormalGuidedPointUpdate : public pcl::Filter<PointT>, public SearchSettings<PointT>, public InputNormals
 {
@@ -110,6 +111,17 @@ public:
   getSearchInterval () const
   {
     return options_.search_interval;
+  }
+
+  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other output is
+    * empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error in place empties
+    * the cloud, and without an input the output keeps what it held.
+    * \param[out] output the input with moved points */
+  void
+  filter (PointCloud& output)
+  {
+    this->filterInto (this->filter_name_, this->input_.get (), output,
+                      [this] (PointCloud& result) { pcl::Filter<PointT>::filter (result); });
   }
 
 protected:

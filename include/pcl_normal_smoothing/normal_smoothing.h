@@ -21,9 +21,12 @@ namespace pcl_normal_smoothing
   * smoothed and the indexed points are written.
   *
   * Without k, radius and graph the preset chooses k. The result is the same, bit for bit, for any number of threads. On an
-  * error the output is empty; see getErrorMessage. */
+  * error the output is empty, see filter and getErrorMessage. */
 template <typename PointT>
-class NormalSmoothing : public pcl::Filter<PointT>, public SearchSettings<PointT>, public InputNormals, public SmoothingSettings
+class NormalSmoothing : public pcl::Filter<PointT>,
+                        public SearchSettings<PointT>,
+                        public InputNormals,
+                        public SmoothingSettings
 {
 public:
   using Ptr = pcl::shared_ptr<NormalSmoothing<PointT>>;
@@ -33,6 +36,17 @@ public:
   NormalSmoothing ()
   {
     this->filter_name_ = "NormalSmoothing";
+  }
+
+  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other output is
+    * empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error in place empties
+    * the cloud, and without an input the output keeps what it held.
+    * \param[out] output the smoothed input */
+  void
+  filter (PointCloud& output)
+  {
+    this->filterInto (this->filter_name_, this->input_.get (), output,
+                      [this] (PointCloud& result) { pcl::Filter<PointT>::filter (result); });
   }
 
 protected:
@@ -74,6 +88,17 @@ public:
   getSaveNormals () const
   {
     return save_normals_;
+  }
+
+  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other output is
+    * empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error in place empties
+    * the cloud, and without an input the output keeps what it held.
+    * \param[out] output the smoothed input */
+  void
+  filter (pcl::PCLPointCloud2& output)
+  {
+    this->filterInto (this->filter_name_, this->input_.get (), output,
+                      [this] (pcl::PCLPointCloud2& result) { pcl::Filter<pcl::PCLPointCloud2>::filter (result); });
   }
 
 protected:

@@ -4,6 +4,7 @@
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 
 #include <string>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -90,6 +91,24 @@ protected:
   Outcome
   attempt (const std::string& class_name, const std::function<void ()>& work);
 
+  /** Runs a filter of PCL's so that nothing is lost: filtered in place, a cloud stays as it is where that fails; without an
+    * input the output is emptied, not left with what it held.
+    * \param[in] filter (output): calls PCL's */
+  template <typename CloudT, typename Filter>
+  void
+  filterInto (const std::string& class_name, const CloudT* input, CloudT& output, const Filter& filter)
+  {
+    if (input && input != &output)
+      return filter (output);
+    CloudT result;
+    if (!input)
+      attempt (class_name, [] { failWithoutInput (); });
+    else
+      filter (result);
+    if (!input || (error_message_.empty () && result.width == input->width))
+      output = std::move (result);
+  }
+
   core::Execution
   execution () const
   {
@@ -100,6 +119,10 @@ protected:
     * \throw Error where it is of another cloud than \a cloud */
   NeighborGraph::ConstPtr
   fittingGraph (const core::Positions& cloud) const;
+
+  /** \throw core::Error always */
+  [[noreturn]] static void
+  failWithoutInput ();
 
   double max_neighbor_distance_ = 0;
   NeighborGraph::ConstPtr neighbor_graph_;

@@ -18,7 +18,7 @@ public:
                 const pcl::Indices& indices,
                 const core::Execution& execution);
 
-  /** The positions of the whole cloud. */
+  /** The positions of the whole cloud, before smooth. */
   const core::Positions&
   cloud () const
   {
@@ -54,6 +54,7 @@ private:
   core::Positions cloud_;
   core::NeighborGraph::ConstPtr graph_;
   core::Vectors displacements_;
+  double unit_ = 1; // of the displacements
   core::Vectors normals_;
 };
 } // namespace pcl_normal_smoothing

@@ -109,8 +109,18 @@ normalsOf (const pcl::PointCloud<PointT>& cloud)
   return {normalLayout<PointT> (), reinterpret_cast<const std::uint8_t*> (cloud.data ()), cloud.size ()};
 }
 
+/** The unit in which the kernels can work on a cloud: 1, or, where half of its points lie nearer to the middle one than
+  * 2^-20 or farther than 2^20, a power of two of that size. */
+double
+unitOf (const VectorView& positions);
+
+/** The positions in unitOf (\a positions). */
 core::Positions
 readPositions (const VectorView& positions, const core::Execution& execution = core::Execution (1));
+
+/** The positions in that unit: of a cloud that belongs to another. */
+core::Positions
+readPositions (const VectorView& positions, double unit, const core::Execution& execution = core::Execution (1));
 
 /** The normals of the points \a order names, at length 1; NaN where one is not finite or zero. */
 core::Vectors
@@ -122,9 +132,12 @@ std::vector<bool>
 selectPoints (const pcl::Indices& indices, std::size_t size);
 
 /** Adds what nodes have moved to the positions of the selected points of a cloud; one that has not moved keeps its bits.
-  * \param[in] order the point of every node */
+  * \param[in] unit of the displacements, see core::Positions
+  * \param[in] order the point of every node
+  * \throw core::Error where a point would move to where its type has no numbers; some are written then */
 void
 writeDisplacements (const core::Vectors& displacements,
+                    double unit,
                     const std::vector<std::uint32_t>& order,
                     const std::vector<bool>& selected,
                     const VectorLayout& layout,

@@ -170,8 +170,14 @@ HoughEstimator::estimate (const Neighborhood& neighborhood) const
   if (std::isnan (pca.variation))
     return pca;
   Vectors points;
-  for (std::size_t j = 0; j < neighborhood.size (); ++j)
+  float farthest = 0;
+  for (std::size_t j = 0; j < neighborhood.size (); ++j) {
     points.push_back (neighborhood[j]);
+    farthest = std::max (farthest, points.back ().lpNorm<Eigen::Infinity> ());
+  }
+  const float scale = std::ldexp (1.0f, -std::clamp (std::ilogb (farthest), -100, 100)); // the votes take fourth powers
+  for (Eigen::Vector3f& point : points)
+    point *= scale;
   TripleSource triples (static_cast<std::uint32_t> (points.size ()), max_triples_,
                         RandomStream (options_.seed, neighborhood.base ()));
   std::vector<Bin> bins (binCount ());

@@ -34,17 +34,32 @@ KdTree::KdTree (const Positions& positions, const std::vector<std::uint32_t>& ra
   fillSlots (positions, rank, execution);
 }
 
-// Offsets may be larger than the spacing (doubles far from the origin), so the tree takes them in, near a point of the
-// cloud. That rounds: look a little farther. What is found is compared by exact distances and does not depend on it.
+// Offsets may be larger than the spacing (doubles far from the origin), so the tree takes them in, near the middle of the
+// cloud. That rounds: look a little farther, by the slack of a box, so that points far off cost nobody but themselves. What
+// is found is compared by exact distances and does not depend on it.
 void
 KdTree::chooseOrigin (const Positions& positions)
 {
-  origin_ = positions.base.front ().cast<double> ();
-  float extent = 0;
-  for (std::size_t i = 0; i < positions.size (); ++i)
-    for (const float t : treeCoordinates (positions.base[i], positions.offset[i]))
-      extent = std::max (extent, std::abs (t));
-  slack_ = 4 * std::numeric_limits<float>::epsilon () * extent;
+  std::vector<float> sample;
+  for (int d = 0; d < 3; ++d) {
+    sample.clear ();
+    for (std::size_t i = 0; i < positions.size (); i += positions.size () / 64 + 1)
+      sample.push_back (positions.base[i][d]);
+    const auto middle = sample.begin () + static_cast<std::ptrdiff_t> (sample.size () / 2);
+    std::nth_element (sample.begin (), middle, sample.end ());
+    origin_[d] = *middle;
+  }
+}
+
+KdTree::Box
+KdTree::makeBox (const Coordinates& low, const Coordinates& high) const
+{
+  Box box {low, high};
+  float largest = 0;
+  for (int d = 0; has_offset_ && d < 3; ++d)
+    largest = std::max ({largest, std::abs (low[d]), std::abs (high[d])});
+  box.slack = 4 * std::numeric_limits<float>::epsilon () * largest;
+  return box;
 }
 
 KdTree::Coordinates
@@ -84,7 +99,7 @@ KdTree::splitNode (std::size_t node, std::vector<BuildPoint>& points)
       box.low[d] = std::min (box.low[d], point[i].at[d]);
       box.high[d] = std::max (box.high[d], point[i].at[d]);
     }
-  boxes_[node] = box;
+  boxes_[node] = makeBox (box.low, box.high);
   if (node >= leaf_count_ - 1)
     return;
 

@@ -76,10 +76,10 @@ KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisit
   for (std::uint32_t slot = own.begin; slot < own.end; ++slot) {
     CandidateQuery point = slotQuery (slot);
     const Box at = pointBox (point);
-    float bound = std::min (reach, ball + std::sqrt (sqDistance (at, {center, center})) + 2 * slack_);
+    float bound = std::min (reach, ball + std::sqrt (sqDistance ({at.low, at.high}, {center, center})) + 2 * box.slack);
     for (const auto& other : earlier)
       bound = std::min (bound, distance (point, other.first) + other.second);
-    point.sq_bound = std::min (square (bound * rounding + slack_), sqBoundOf (query.radius));
+    point.sq_bound = std::min (square (bound * rounding + box.slack), sqBoundOf (query.radius));
     selectNearest (point, slot, count, scratch);
     if (scratch.row.size () == count && count > 0)
       earlier.emplace_back (point, std::sqrt (scratch.row.back ().sq_dist));
@@ -94,7 +94,7 @@ KdTree::search (const Eigen::Vector3f& base,
                 Scratch& scratch) const
 {
   const Coordinates at = treeCoordinates (base, offset);
-  const Box box {at, at};
+  const Box box = makeBox (at, at);
   std::size_t branch = 0; // the smallest with enough points that the point falls into
   while (branch < leaf_count_ - 1 && ranges_[2 * branch + 1].end - ranges_[2 * branch + 1].begin >= 2 * query.k) {
     const bool left = sqDistance (box, boxes_[2 * branch + 1]) <= sqDistance (box, boxes_[2 * branch + 2]);
@@ -103,7 +103,7 @@ KdTree::search (const Eigen::Vector3f& base,
   const float ball = query.k == 0 ? infinity : ballRadius (at, branch, query.k, scratch);
   const float reach = std::min (ball, query.radius);
   gatherCandidates (box, reach, scratch);
-  const float sq_bound = std::min (square (reach * (1 + 1e-5f) + slack_), sqBoundOf (query.radius));
+  const float sq_bound = std::min (square (reach * (1 + 1e-5f) + box.slack), sqBoundOf (query.radius));
   selectNearest ({{base.x (), base.y (), base.z ()}, {offset.x (), offset.y (), offset.z ()}, sq_bound}, no_slot,
                  query.k == 0 ? no_slot : query.k, scratch);
   return scratch.row;
@@ -123,7 +123,7 @@ KdTree::ballRadius (const Coordinates& center, std::size_t branch, std::size_t k
   }
   const auto kth = sq_dists.begin () + static_cast<std::ptrdiff_t> (k - 1);
   std::nth_element (sq_dists.begin (), kth, sq_dists.end ());
-  return std::sqrt (*kth) * (1 + 1e-5f) + slack_;
+  return std::sqrt (*kth) * (1 + 1e-5f) + boxes_[branch].slack;
 }
 
 void
@@ -216,7 +216,7 @@ KdTree::sqDistance (const Box& a, const Box& b) const
 {
   float sum = 0;
   for (int d = 0; d < 3; ++d)
-    sum += square (std::max (std::max (a.low[d] - b.high[d], b.low[d] - a.high[d]) - slack_, 0.0f));
+    sum += square (std::max (std::max (a.low[d] - b.high[d], b.low[d] - a.high[d]) - (a.slack + b.slack), 0.0f));
   return sum;
 }
 
@@ -225,7 +225,7 @@ KdTree::pointBox (const CandidateQuery& point) const
 {
   const Coordinates at = treeCoordinates (Eigen::Vector3f (point.base[0], point.base[1], point.base[2]),
                                           Eigen::Vector3f (point.offset[0], point.offset[1], point.offset[2]));
-  return {at, at};
+  return makeBox (at, at);
 }
 
 CandidateQuery

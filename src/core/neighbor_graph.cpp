@@ -15,7 +15,7 @@ namespace core
 Positions
 gather (const Positions& positions, const std::vector<std::uint32_t>& order, const Execution& execution)
 {
-  Positions result {Vectors (order.size ()), Vectors (order.size ())};
+  Positions result {Vectors (order.size ()), Vectors (order.size ()), positions.unit};
   parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       result.base[i] = positions.base[order[i]];

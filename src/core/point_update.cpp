@@ -23,6 +23,14 @@ check (const PointUpdateOptions& options)
     throw Error ("the search interval is " + std::to_string (options.search_interval) + ": give 0 or more");
 }
 
+PointUpdateOptions
+PointUpdateOptions::inUnit (double unit) const
+{
+  PointUpdateOptions options = *this;
+  options.max_displacement = static_cast<float> (max_displacement / unit);
+  return options;
+}
+
 Vectors
 displacements (const Vectors& start, const Positions& nodes)
 {

@@ -26,6 +26,19 @@ requireNormals (const Vectors& normals)
 }
 } // namespace
 
+SmoothingOptions
+SmoothingOptions::inUnit (double unit) const
+{
+  const auto convert = [unit] (float& length) { length = length < 0 ? length : static_cast<float> (length / unit); };
+  SmoothingOptions options = *this;
+  options.update = update.inUnit (unit);
+  convert (options.rounds.max_displacement);
+  convert (options.rounds.noise.sigma);
+  convert (options.rounds.noise.spacing);
+  convert (options.rounds.sheet_distance);
+  return options;
+}
+
 void
 check (const SmoothingOptions& options)
 {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../shapes.h"
+
 #include <pcl/search/brute_force.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/search/octree.h>
+#include <pcl/search/organized.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -19,6 +23,29 @@ userSearches ()
 {
   return {std::make_shared<pcl::search::KdTree<PointT>> (), std::make_shared<pcl::search::KdTree<PointT>> (false),
           std::make_shared<pcl::search::BruteForce<PointT>> (), std::make_shared<pcl::search::Octree<PointT>> (0.1)};
+}
+
+/** A search for clouds of cameras. */
+template <typename PointT>
+typename pcl::search::Search<PointT>::Ptr
+organizedSearch ()
+{
+  return std::make_shared<pcl::search::OrganizedNeighbor<PointT>> ();
+}
+
+/** What a camera with a focal length of 30 pixels sees of a wave, 24 x 20 points row by row. */
+inline Vectors
+cameraView ()
+{
+  Vectors points;
+  for (int v = 0; v < 20; ++v)
+    for (int u = 0; u < 24; ++u) {
+      const float x = static_cast<float> (u) - 11.5f, y = static_cast<float> (v) - 9.5f;
+      const float depth = 2 + 0.1f * std::sin (0.3f * x) * std::cos (0.2f * y) +
+                          static_cast<float> (0.002 * gaussianNoise (190, points.size ()));
+      points.emplace_back (x * depth / 30, y * depth / 30, depth);
+    }
+  return points;
 }
 
 template <typename PointT>

@@ -148,14 +148,28 @@ TYPED_TEST (FilterBadInput, AnIndexOutOfRangeIsAnError)
   }
 }
 
-TYPED_TEST (FilterBadInput, AnErrorInPlaceEmptiesTheCloudAndNothingElse)
+TYPED_TEST (FilterBadInput, AnErrorInPlaceLeavesTheCloudAsItIs)
 {
+  const auto before = *this->cloud_;
   TypeParam filter;
   this->prepare (filter);
   filter.setKSearch (-3);
   filter.filter (*this->cloud_);
+  EXPECT_TRUE (contains (filter.getErrorMessage (), "-3")) << filter.getErrorMessage ();
+  expectSamePoints (*this->cloud_, before);
+  expectSameFrame (*this->cloud_, before);
+
+  pcl::Filter<typename TestFixture::Point>& as_pcl_knows_it = filter;
+  as_pcl_knows_it.filter (*this->cloud_);
   expectEmpty (*this->cloud_);
   EXPECT_EQ (this->cloud_->header.frame_id, "scanner");
+}
+
+TYPED_TEST (FilterBadInput, NoCloudIsAnErrorAndLeavesNothingInTheOutput)
+{
+  TypeParam filter;
+  filter.setKSearch (10);
+  this->expectError (filter, "setInputCloud");
 }
 
 /** Those that read normals. */

@@ -6,6 +6,8 @@
 
 #include <pcl/search/kdtree.h>
 
+#include <cmath>
+
 namespace
 {
 using namespace test_support;
@@ -153,6 +155,47 @@ TEST_F (PointCloud2Test, DoublesFarFromTheOriginMoveAsAtTheOrigin)
     EXPECT_LT ((layout.position (far_output, i) - far - layout.position (near_output, i)).norm (), 1e-6)
         << "point " << i;
   EXPECT_GT ((layout.position (far_output, 0) - far - points_[0].cast<double> ()).norm (), 1e-4);
+}
+
+TEST_F (PointCloud2Test, DoublesBeyondTheRangeOfFloatAreSmoothed)
+{
+  BinaryLayout layout;
+  layout.as_double = true;
+  Smoothing smoothing;
+  const pcl::PCLPointCloud2 cloud = makeBinaryCloud (layout, points_);
+  prepare (smoothing, cloud);
+  const pcl::PCLPointCloud2 expected = run (smoothing);
+  for (const int exponent : {-600, -150, 150, 600}) {
+    pcl::PCLPointCloud2 scaled = cloud;
+    const double scale = std::ldexp (1.0, exponent);
+    for (std::size_t i = 0; i < points_.size (); ++i) {
+      const Eigen::Vector3d position = scale * layout.position (cloud, i);
+      std::memcpy (&scaled.data[layout.begin (i)], position.data (), sizeof position);
+    }
+    prepare (smoothing, scaled);
+    const pcl::PCLPointCloud2 output = run (smoothing);
+    for (std::size_t i = 0; i < points_.size (); ++i)
+      EXPECT_EQ (layout.position (output, i), scale * layout.position (expected, i)) << "point " << i;
+  }
+}
+
+TEST_F (PointCloud2Test, AnErrorInPlaceLeavesTheCloudAsItIs)
+{
+  const auto cloud = std::make_shared<pcl::PCLPointCloud2> (makeBinaryCloud ({}, points_));
+  const pcl::PCLPointCloud2 before = *cloud;
+  Smoothing smoothing;
+  smoothing.setInputCloud (cloud);
+  smoothing.setKSearch (-3);
+  smoothing.filter (*cloud);
+  EXPECT_NE (smoothing.getErrorMessage (), "");
+  EXPECT_EQ (cloud->data, before.data);
+  EXPECT_EQ (cloud->width, before.width);
+
+  Smoothing without_input;
+  pcl::PCLPointCloud2 output = poisonedBinaryCloud ();
+  without_input.filter (output);
+  EXPECT_TRUE (contains (without_input.getErrorMessage (), "setInputCloud"));
+  EXPECT_TRUE (output.data.empty ());
 }
 
 TEST_F (PointCloud2Test, NormalsAreReadAndWrittenWhereAsked)

@@ -58,6 +58,62 @@ TEST (SurfaceNoiseEstimationTest, IndexedPointsAloneAreTheCloud)
   EXPECT_LT (noise.getSigma (), 0.01 * sigma);
 }
 
+TEST (SurfaceNoiseEstimationTest, PointsThatAreNotFiniteDoNotCount)
+{
+  const Cloud::Ptr cloud = noisyPlane ();
+  SurfaceNoiseEstimation<pcl::PointXYZ> noise;
+  noise.setInputCloud (cloud);
+  ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+  const double expected = noise.getSigma ();
+  for (const bool is_dense : {true, false}) {
+    const float nan = std::numeric_limits<float>::quiet_NaN (), infinity = std::numeric_limits<float>::infinity ();
+    cloud->emplace_back (0.0f, nan, 0.0f);
+    cloud->emplace_back (infinity, 0.0f, 0.0f);
+    cloud->is_dense = is_dense;
+    ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+    EXPECT_EQ (noise.getSigma (), expected);
+  }
+}
+
+TEST (SurfaceNoiseEstimationTest, IsInTheCloudsUnit)
+{
+  const Cloud::Ptr cloud = noisyPlane ();
+  SurfaceNoiseEstimation<pcl::PointXYZ> noise;
+  noise.setInputCloud (cloud);
+  ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+  for (const float scale : {0x1p-100f, 1e-30f, 1e30f, 0x1p100f}) {
+    auto scaled = pcl::make_shared<Cloud> (*cloud);
+    for (auto& point : *scaled)
+      point.getVector3fMap () *= scale;
+    SurfaceNoiseEstimation<pcl::PointXYZ> of_scaled;
+    of_scaled.setInputCloud (scaled);
+    ASSERT_TRUE (of_scaled.compute ()) << of_scaled.getErrorMessage ();
+    EXPECT_NEAR (of_scaled.getSigma () / scale, noise.getSigma (), 1e-3 * noise.getSigma ()) << scale;
+    EXPECT_NEAR (of_scaled.getSpacing () / scale, noise.getSpacing (), 1e-3 * noise.getSpacing ()) << scale;
+  }
+}
+
+TEST (SurfaceNoiseEstimationTest, CopiedAndReusedItGivesTheSame)
+{
+  SurfaceNoiseEstimation<pcl::PointXYZ> noise;
+  noise.setInputCloud (noisyPlane ());
+  ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+  const double expected = noise.getSigma ();
+  SurfaceNoiseEstimation<pcl::PointXYZ> copy (noise);
+  noise.setInputCloud (withNoise (test_support::planeGrid (20, 1)));
+  ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+  EXPECT_NE (noise.getSigma (), expected);
+  for (const unsigned threads : {1u, 3u}) {
+    copy.setNumberOfThreads (threads);
+    ASSERT_TRUE (copy.compute ()) << copy.getErrorMessage ();
+    EXPECT_EQ (copy.getSigma (), expected);
+  }
+  copy.setProgressCallback ([] (double) { return false; });
+  EXPECT_FALSE (copy.compute ());
+  EXPECT_TRUE (copy.wasCancelled ());
+  EXPECT_EQ (copy.getSigma (), 0);
+}
+
 TEST (SurfaceNoiseEstimationTest, BadInputIsAnErrorAndGivesZero)
 {
   SurfaceNoiseEstimation<pcl::PointXYZ> noise;

@@ -64,6 +64,7 @@ private:
   struct Box
   {
     Coordinates low, high;
+    float slack = 0; // bound of the rounding of a coordinate in it
   };
   struct Range // of slots
   {
@@ -106,8 +107,13 @@ private:
   bool
   rankRow (std::size_t found, std::uint32_t excluded, std::size_t count, Scratch& scratch) const;
 
+  /** A lower bound of the squared distances between what two boxes hold. */
   float
   sqDistance (const Box& a, const Box& b) const;
+
+  /** With its slack. */
+  Box
+  makeBox (const Coordinates& low, const Coordinates& high) const;
 
   void
   searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisitor& visit, Scratch& scratch) const;
@@ -127,7 +133,6 @@ private:
   std::array<std::vector<float>, 3> offset_;
   bool has_offset_ = false;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero (); // of the tree's coordinates, which decide only where to look
-  float slack_ = 0;                                   // bound of the rounding of a distance between boxes, per axis
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -13,8 +13,15 @@ struct NeighborQuery
 {
   /** Number of neighbours, the point itself included; 0 = as many as there are. */
   std::uint32_t k = 0;
-  /** Neighbours are closer than this, in the cloud's unit. */
+  /** Neighbours are closer than this, in the unit of the positions that are searched. */
   float radius = std::numeric_limits<float>::infinity ();
+
+  /** The same query for positions in another unit: see Positions::unit. */
+  NeighborQuery
+  inUnit (double unit) const
+  {
+    return {k, static_cast<float> (radius / unit)};
+  }
 };
 
 /** A neighbour that a search has found. */

@@ -7,13 +7,20 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** What a cloud tells of its noise. */
+/** What a cloud tells of its noise, in the unit of its positions. */
 struct NoiseEstimate
 {
-  /** Standard deviation of the noise along the normal, in the cloud's unit. */
+  /** Standard deviation of the noise along the normal. */
   float sigma = 0;
-  /** Distance between neighbouring points, in the cloud's unit: the median over the points. */
+  /** Distance between neighbouring points: the median over the points. */
   float spacing = 0;
+
+  /** The same in the cloud's unit: see Positions::unit. */
+  NoiseEstimate
+  inCloudUnit (double unit) const
+  {
+    return {static_cast<float> (sigma * unit), static_cast<float> (spacing * unit)};
+  }
 };
 
 /** Estimates the noise from what quadrics through small neighbourhoods leave, and extrapolates from two sizes of

@@ -28,10 +28,14 @@ struct PointUpdateOptions
   /** Normals point to the same side everywhere: the signed n_i.n_j is used. */
   bool oriented = false;
   int iterations = 0;
-  /** No point ends farther from where it began, in the cloud's unit. */
+  /** No point ends farther from where it began, in the unit of the positions. */
   float max_displacement = std::numeric_limits<float>::infinity ();
   /** Neighbours are searched anew after this many iterations; 0 = never. */
   int search_interval = 0;
+
+  /** The same options for positions in another unit: see Positions::unit. */
+  PointUpdateOptions
+  inUnit (double unit) const;
 };
 
 /** \throw Error where an option is out of range */

@@ -67,11 +67,22 @@ struct Positions
 {
   Vectors base;
   Vectors offset;
+  /** What stands here, times this, is in the cloud's unit. A power of two, so that nothing is rounded: kernels take fourth
+    * powers of lengths in float, and a cloud measured in 1e-30 or 1e30 is read in another unit. */
+  double unit = 1;
 
   std::size_t
   size () const
   {
     return base.size ();
+  }
+
+  /** p_i in the cloud's unit, as near as float comes. */
+  Eigen::Vector3f
+  inCloudUnit (std::size_t i) const
+  {
+    const Eigen::Vector3f position = base[i] + offset[i];
+    return unit == 1 ? position : Eigen::Vector3f ((unit * position.cast<double> ()).cast<float> ());
   }
 
   /** p_j - p_i */

@@ -24,9 +24,9 @@ struct RobustSmoothingOptions
   /** Normals point to the same side everywhere: neighbours with opposite normals do not count. */
   bool oriented = false;
   /** A neighbour that is farther than this from the mean of both tangent planes may lie on another sheet: see
-    * core/sheet_separation.h. In the cloud's unit; infinity: all lie on one. */
+    * core/sheet_separation.h. In the unit of the positions; infinity: all lie on one. */
   float sheet_distance = std::numeric_limits<float>::infinity ();
-  /** No point ends farther from where it began, in the cloud's unit. */
+  /** No point ends farther from where it began, in the unit of the positions. */
   float max_displacement = std::numeric_limits<float>::infinity ();
 };
 

@@ -10,7 +10,7 @@ namespace core
 /** What tells that a neighbour lies on another sheet of the surface: the two sides of a thin plate, two leaves. */
 struct SheetSeparationOptions
 {
-  /** How far a neighbour must lie from the tangent plane, in the cloud's unit; the mean of both points' planes, which a
+  /** How far a neighbour must lie from the tangent plane, in the unit of the positions; the mean of both points' planes, which a
     * curved sheet touches. infinity: all points lie on one sheet. */
   float distance = std::numeric_limits<float>::infinity ();
   /** Normals that point to the same side everywhere: a neighbour with an opposite one lies on another sheet. */

@@ -22,6 +22,10 @@ struct SmoothingOptions
   /** Where noise.sigma, noise.spacing or sheet_distance is below 0 it is estimated; likewise an infinite max_displacement,
     * from sigma. */
   RobustSmoothingOptions rounds;
+
+  /** The same options for positions in another unit: see Positions::unit. What is to be estimated stays so. */
+  SmoothingOptions
+  inUnit (double unit) const;
 };
 
 /** \throw Error where an option is out of range */

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/neighbor_graph.h>
 #include <pcl_normal_smoothing/run_settings.h>
 
 #include <pcl/common/point_tests.h>
+#include <pcl/search/organized.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,11 @@ pointSearch (const typename pcl::search::Search<PointT>::Ptr& search,
   // Never more than there are: k may be absurd, and the vectors are made that long beforehand.
   const std::size_t k = std::min<std::size_t> (query.k, finite->size ());
   search->setInputCloud (cloud, all ? pcl::IndicesConstPtr () : finite);
+  const auto* organized = dynamic_cast<const pcl::search::OrganizedNeighbor<PointT>*> (search.get ());
+  if (organized && (cloud->width < 2 || cloud->height < 2 || !organized->isValid ())) // it would search without end
+    throw core::Error ("pcl::search::OrganizedNeighbor finds no camera that can have seen this cloud (" +
+                       std::to_string (cloud->width) + " x " + std::to_string (cloud->height) +
+                       " points): set another search object, or none");
 
   return [search, query, k] (const PointT& point, std::vector<std::uint32_t>& neighbors) {
     pcl::Indices found (k);
@@ -65,6 +72,6 @@ buildNeighborGraph (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
   const core::Execution execution (threads);
   if (search)
     return NeighborGraph::build (positions, graphSearch<PointT> (search, cloud, query), execution);
-  return NeighborGraph::build (positions, query, execution);
+  return NeighborGraph::build (positions, query.inUnit (positions.unit), execution);
 }
 } // namespace pcl_normal_smoothing

@@ -25,9 +25,9 @@ NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
     const core::Vectors start = nodes.offset;
     const core::Research research =
         options_.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();
-    core::updatePoints (graph, readNormals (input_normals, graph->order ()), options_, research,
+    core::updatePoints (graph, readNormals (input_normals, graph->order ()), options_.inUnit (nodes.unit), research,
                         execution.part (0.7, 1), nodes);
-    writeDisplacements (displacements (start, nodes), graph->order (), selected, positionLayout<PointT> (),
+    writeDisplacements (displacements (start, nodes), nodes.unit, graph->order (), selected, positionLayout<PointT> (),
                         reinterpret_cast<std::uint8_t*> (output.data ()));
   });
   settleOutput (outcome, *this->input_, output);

@@ -19,7 +19,7 @@ SearchSettings<PointT>::obtainGraph (const std::string& class_name,
   const core::NeighborQuery query = makeQuery ();
   const NeighborGraph::ConstPtr graph =
       search_ ? NeighborGraph::build (positions, graphSearch<PointT> (search_, cloud (), query), execution)
-              : NeighborGraph::build (positions, query, execution);
+              : NeighborGraph::build (positions, query.inUnit (positions.unit), execution);
   checkPointCount (class_name, graph->size (), query.k);
   return graph;
 }
@@ -32,11 +32,11 @@ SearchSettings<PointT>::makeResearch (const NeighborGraph::ConstPtr& graph,
   const core::NeighborQuery query = makeQuery ();
   const core::Execution quiet (threads_);
   if (!search_)
-    return [=] (const core::Positions& nodes) { return graph->rebuild (nodes, query, quiet); };
+    return [=] (const core::Positions& nodes) { return graph->rebuild (nodes, query.inUnit (nodes.unit), quiet); };
   return [=, search = search_] (const core::Positions& nodes) {
     auto moved = pcl::make_shared<pcl::PointCloud<PointT>> (*cloud ());
     for (std::size_t node = 0; node < nodes.size (); ++node) {
-      const Eigen::Vector3f position = nodes.base[node] + nodes.offset[node];
+      const Eigen::Vector3f position = nodes.inCloudUnit (node);
       PointT& point = (*moved)[graph->order ()[node]];
       point.x = position.x ();
       point.y = position.y ();

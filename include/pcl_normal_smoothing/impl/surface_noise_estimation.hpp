@@ -22,9 +22,10 @@ SurfaceNoiseEstimation<PointT>::compute ()
     for (std::size_t i = 0; i < cloud.size (); ++i)
       if (!selected[i])
         cloud.base[i].setConstant (std::numeric_limits<float>::quiet_NaN ());
-    const auto graph = this->obtainGraph ("SurfaceNoiseEstimation", cloud, [this] { return this->input_; },
-                                          this->execution ().part (0, 0.9));
-    estimate_ = core::estimateNoise (*graph, gather (cloud, graph->order ()), this->execution ().part (0.9, 1));
+    const auto graph = this->obtainGraph (
+        "SurfaceNoiseEstimation", cloud, [this] { return this->input_; }, this->execution ().part (0, 0.9));
+    estimate_ = core::estimateNoise (*graph, gather (cloud, graph->order ()), this->execution ().part (0.9, 1))
+                    .inCloudUnit (cloud.unit);
     this->deinitCompute ();
   });
   return outcome == Outcome::DONE;

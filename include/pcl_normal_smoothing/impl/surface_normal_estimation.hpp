@@ -87,10 +87,11 @@ SurfaceNormalEstimation<PointInT, PointOutT>::estimateOverGraph (const core::Sur
     const core::NeighborQuery query = makeNeighborQuery (this->k_, this->search_radius_, max_neighbor_distance_);
     graph = this->tree_ ? NeighborGraph::build (cloud, graphSearch<PointInT> (this->tree_, this->input_, query),
                                                 run.part (0, 0.8))
-                        : NeighborGraph::build (cloud, query, run.part (0, 0.8));
+                        : NeighborGraph::build (cloud, query.inUnit (cloud.unit), run.part (0, 0.8));
     checkPointCount (this->feature_name_, graph->size (), query.k);
   }
-  const auto of_nodes = core::estimateSurfaces (*graph, gather (cloud, graph->order (), run.silent ()), estimator, run.part (0.8, 1));
+  const auto of_nodes =
+      core::estimateSurfaces (*graph, gather (cloud, graph->order (), run.silent ()), estimator, run.part (0.8, 1));
   std::vector<core::LocalSurface> of_points (cloud.size (), core::LocalSurface::invalid ());
   for (std::size_t node = 0; node < of_nodes.size (); ++node)
     of_points[graph->order ()[node]] = of_nodes[node];
@@ -107,10 +108,10 @@ SurfaceNormalEstimation<PointInT, PointOutT>::estimateByQueries (const core::Sur
   const core::NeighborQuery query = makeNeighborQuery (this->k_, this->search_radius_, max_neighbor_distance_);
   const core::Positions surface = readPositions (positionsOf (*this->surface_));
   checkPointCount (this->feature_name_, core::finiteElements (surface).size (), query.k);
-  const core::Positions cloud = readPositions (positionsOf (*this->input_));
+  const core::Positions cloud = readPositions (positionsOf (*this->input_), surface.unit);
   const std::vector<std::uint32_t> queries (this->indices_->begin (), this->indices_->end ());
   if (!this->tree_)
-    return core::querySurfaces (surface, gather (cloud, queries), query, estimator, execution ());
+    return core::querySurfaces (surface, gather (cloud, queries), query.inUnit (surface.unit), estimator, execution ());
 
   const auto search = pointSearch<PointInT> (this->tree_, this->surface_, query);
   return core::querySurfaces (

@@ -26,13 +26,16 @@ bell (Lanes x)
   return t * t;
 }
 
-/** \a displacement, shortened to at most \a limit. */
+/** \a displacement, shortened to at most \a limit; none where it is not finite, for a point that is so far off that its
+  * distances are not. */
 LANES_INLINE Lanes3
 capped (Lanes3 displacement, float limit)
 {
   const Lanes length = squareRoot (dot (displacement, displacement));
   const Lanes scale = length > limit ? limit / length : splat (1);
-  return scale * displacement;
+  const Mask finite = length < __builtin_inff ();
+  return {finite ? scale * displacement.x : splat (0), finite ? scale * displacement.y : splat (0),
+          finite ? scale * displacement.z : splat (0)};
 }
 
 /** The neighbours of the lanes' points, the points themselves first, in units of the distance of the farthest. */

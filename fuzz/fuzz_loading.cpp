@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The loading path of the tools under libFuzzer: any bytes are a cloud or a mesh, or a FileError or core::Error, and never
+// anything else.
+#include "cloud_graph.h"
+#include "mesh_io.h"
+#include "tool_error.h"
+
+#include <pcl_normal_smoothing/core/error.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+using namespace pcl_normal_smoothing;
+
+namespace
+{
+/** In memory, and one a process: the fuzzer may run several. */
+const std::string&
+path ()
+{
+  static const std::string name = "/dev/shm/fuzz_loading." + std::to_string (getpid ()) + FUZZED_EXTENSION;
+  static const int at_exit = std::atexit ([] { std::remove (name.c_str ()); });
+  static_cast<void> (at_exit);
+  return name;
+}
+
+void
+load ()
+{
+#ifdef FUZZED_MESH
+  tools::loadMesh (path ());
+#else
+  const tools::CloudFile file = tools::loadCloud (path ());
+  if (file.cloud->data.size () < std::size_t (file.cloud->height) * file.cloud->row_step)
+    std::abort (); // fewer bytes than it says
+  core::finiteElements (readPositions (tools::positionsOf (file)));
+#endif
+}
+} // namespace
+
+extern "C" int
+LLVMFuzzerTestOneInput (const std::uint8_t* data, std::size_t size)
+{
+  std::ofstream (path (), std::ios::binary)
+      .write (reinterpret_cast<const char*> (data), static_cast<std::streamsize> (size));
+  try {
+    load ();
+  }
+  catch (const tools::FileError&) {
+  }
+  catch (const core::Error&) {
+  }
+  return 0;
+}

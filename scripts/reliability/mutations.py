@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""Breaks the code in named ways, one at a time, and shows that the tests notice.
+
+usage: mutations.py [--only <part of a name>] [--jobs 2]
+
+Works on a copy of the last commit, in build_mutations/. Prints a row for each break: what it is, which test noticed. Exit
+status 1 where none did, or where the code to break is no longer there."""
+# SPDX-License-Identifier: BSD-3-Clause
+import argparse
+import os
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+WORK = os.path.join(ROOT, "build_mutations")
+SOURCE = os.path.join(WORK, "source")
+BUILD = os.path.join(WORK, "build")
+LIBRARY_TESTS = ["test_core", "test_filters", "test_features", "test_clouds"]
+KERNELS = "src/core/kernels/"
+CORE = "src/core/"
+HEADERS = "include/pcl_normal_smoothing/"
+
+# name, file, what stands there, what is put in its place
+MUTATIONS = [
+    ("flips: a normal is not turned to the side of the point's", KERNELS + "normal_filter.h",
+     "normal = sign * normal;", ";"),
+    ("eq. 3: the weight is not squared", KERNELS + "normal_filter.h", "above > 0 ? above * above", "above > 0 ? above"),
+    ("eq. 4: the distance has no weight", KERNELS + "normal_filter.h", "expOfMinus (distance_term + ",
+     "expOfMinus (0 * distance_term + "),
+    ("eq. 5: sigma_c counts the point itself", KERNELS + "normal_filter.h", "sigma_c = sum / count;",
+     "sigma_c = sum / (count + 1);"),
+    ("eq. 5: sigma squared twice", CORE + "normal_filter.cpp", "1 / (2 * options.sigma_s * options.sigma_s)",
+     "1 / (2 * options.sigma_s * options.sigma_s * options.sigma_s * options.sigma_s)"),
+    ("eq. 6: the weight is not squared", KERNELS + "normal_filter.h", "* (below * below)", "* below"),
+    ("eq. 7: printed and root mean square are swapped", KERNELS + "normal_filter.h", "step.rms ? ", "!step.rms ? "),
+    ("normal filter: the wrong buffer goes into the next iteration", CORE + "normal_filter.cpp",
+     "normals.swap (filtered);", "if (iteration == 0) normals.swap (filtered);"),
+    ("point update: the wrong buffer goes into the next iteration", CORE + "point_update.cpp",
+     "positions.offset.swap (moved);", "if (iteration == 0) positions.offset.swap (moved);"),
+    ("compensated update: the sum of the normals, not their mean", KERNELS + "point_update.h",
+     "0.5f * dot (own_normal + normal, difference)", "dot (own_normal + normal, difference)"),
+    ("compensated update: the paper's term", KERNELS + "point_update.h",
+     "0.5f * dot (own_normal + normal, difference)", "dot (normal, difference)"),
+    ("point update: nothing is flipped", KERNELS + "point_update.h", "turn (normal, own_normal, step.oriented)",
+     "turn (normal, own_normal, true)"),
+    ("eq. 9: sigma squared twice", CORE + "point_update.cpp", "1 / (2 * options.sigma_s * options.sigma_s)",
+     "1 / (2 * options.sigma_s * options.sigma_s * options.sigma_s * options.sigma_s)"),
+    ("eq. 9: the distance has no weight", KERNELS + "point_update.h", "dot (difference, difference) * reach_factor",
+     "0 * dot (difference, difference) * reach_factor"),
+    ("eq. 8: the sum goes the other way", KERNELS + "point_update.h", "+ scale * sum;", "- scale * sum;"),
+    ("eq. 8: displacements of earlier iterations are lost", KERNELS + "point_update.h",
+     "(load3 (step.nodes.offset, own) - start) + scale * sum", "scale * sum"),
+    ("the cap on the displacement does nothing", KERNELS + "local_points.h", "length > limit ? limit / length",
+     "length > limit ? splat (1)"),
+    ("search interval: an iteration too early", CORE + "point_update.cpp", "iteration > 0 && iteration %",
+     "iteration > 0 && (iteration + 1) %"),
+    ("k: one neighbour too many", CORE + "kd_tree_search.cpp", "query.k == 0 ? no_slot : query.k - 1;",
+     "query.k == 0 ? no_slot : query.k;"),
+    ("radius: a point at the radius is a neighbour", CORE + "kd_tree_search.cpp",
+     "std::nextafter (radius * radius, 0.0f)", "radius * radius"),
+    ("ties go to the order of the tree", CORE + "kd_tree.cpp", "rank.empty () ? element : rank[element]", "slot"),
+    ("kd-tree: too small a ball", CORE + "kd_tree_search.cpp", "std::min (ball + half_diagonal, query.radius)",
+     "std::min (ball, query.radius)"),
+    ("kd-tree: no room for rounding", CORE + "kd_tree.cpp", "4 * std::numeric_limits<float>::epsilon () * largest",
+     "0 * largest"),
+    ("Hough: the winner stays in the turned frame", CORE + "hough.cpp", "return rotation.transpose () * bins",
+     "return 1.0f * bins"),
+    ("Hough: the seed is ignored", CORE + "hough.cpp", "RandomStream (options_.seed, neighborhood.base ())",
+     "RandomStream (0, neighborhood.base ())"),
+    ("Hough: stops at the first triple", CORE + "hough.cpp", "lead * lead >= 4 * drawn", "lead >= 1"),
+    ("Hough: fourth powers of lengths overflow", CORE + "hough.cpp", "point *= scale;", "point *= 1;"),
+    ("WPCA: weights grow with the distance", CORE + "local_frame.cpp", "moments.add (difference, 1 / distance);",
+     "moments.add (difference, distance);"),
+    ("PCA: about the point, not the centroid", CORE + "local_frame.cpp",
+     "outer_ / weight_ - sum_ * sum_.transpose () / (weight_ * weight_)", "outer_ / weight_"),
+    ("noise: degrees of freedom of a plane, not a quadric", KERNELS + "quadric_fit.h", "/ (size - 6)", "/ (size - 3)"),
+    ("noise: the spacing is too large", CORE + "noise_estimate.cpp", "std::sqrt (pi / 8)", "std::sqrt (pi / 4)"),
+    ("rounds: sigma, not its square, is the gain", CORE + "robust_smoothing.cpp",
+     "1.5f * options_.noise.sigma * options_.noise.sigma * gain", "1.5f * options_.noise.sigma * gain"),
+    ("rounds: the whole step is taken", KERNELS + "step_control.h", "offset + share * step", "offset + step"),
+    ("rounds: normals are not fitted", CORE + "robust_smoothing.cpp", "      fitNormals (round);\n", ""),
+    ("close sheets are not told apart", CORE + "sheet_separation.cpp", "constexpr int min_others = 3;",
+     "constexpr int min_others = 33;"),
+    ("points are displaced in the wrong unit", "src/vector_layout.cpp", "+ unit * displacements[node]",
+     "+ displacements[node]"),
+    ("clouds in small units are read as they are", "src/vector_layout.cpp", "std::abs (exponent) <= no_need",
+     "exponent <= no_need"),
+    ("indices are ignored", "src/vector_layout.cpp", "selected[order[node]] && !displacements",
+     "!displacements"),
+    ("normals are not brought to length 1", "src/vector_layout.cpp", "(normal / length).cast<float> ()",
+     "normal.cast<float> ()"),
+    ("a cancelled run is not told from a failed one", "src/run_settings.cpp", "cancelled_ = true;", ";"),
+    ("two points make a surface", "src/run_settings.cpp", "if (finite_points < 3)", "if (finite_points < 2)"),
+    ("a graph of another cloud is taken", "src/run_settings.cpp",
+     "neighbor_graph_->cloudSize () != cloud.size ()", "false"),
+    ("an exception in a thread is lost", CORE + "parallel_for.cpp", "  if (failure)\n", "  if (false)\n"),
+    ("normals point away from the viewpoint", HEADERS + "impl/surface_normal_estimation.hpp",
+     "dot (to_view_point) < 0 ? -1.0f", "dot (to_view_point) > 0 ? -1.0f"),
+    ("tools: what is half written stays", "tools/output_file.cpp", "    close (descriptor_);\n  removeTemporaryFile ();",
+     "    close (descriptor_);"),
+    ("tools: an interruption has the status of an error", "tools/tool.cpp", "_exit (128 + signal);", "_exit (2);"),
+    ("tools: a header may claim more than the file holds", "tools/pcd_format.cpp",
+     "points > available / bytes_per_point", "false"),
+    ("tools: a failed write is not noticed", "tools/output_file.cpp", "if (written < 0 && errno != EINTR)",
+     "if (false)"),
+]
+
+
+def call(words, **more):
+    return subprocess.run(words, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **more)
+
+
+def prepare(jobs):
+    os.makedirs(SOURCE, exist_ok=True)
+    subprocess.run(f"git -C '{ROOT}' archive HEAD | tar -x --overwrite -C '{SOURCE}'", shell=True, check=True)
+    subprocess.run(["cmake", "-S", SOURCE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DBUILD_EXAMPLES=OFF"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", BUILD, "--parallel", jobs, "--target", *LIBRARY_TESTS, "test_tools"], check=True)
+
+
+def noticed_by(tests, jobs):
+    """The first test that fails; nothing where all pass."""
+    built = call(["cmake", "--build", BUILD, "--parallel", jobs, "--target", *tests])
+    if built.returncode != 0:
+        return "does not compile"
+    for test in tests:
+        program = os.path.join(BUILD, "test", "tools" if test == "test_tools" else "", test)
+        try:
+            ended = call([program, "--gtest_brief=1", "--gtest_fail_fast"], timeout=600,
+                         env={**os.environ, "OMP_WAIT_POLICY": "passive"})
+        except subprocess.TimeoutExpired:
+            return f"{test}, which does not end"
+        if ended.returncode != 0:
+            failed = [line for line in ended.stdout.splitlines() if line.startswith("[  FAILED  ]")]
+            return failed[0].split("] ")[1].split(",")[0].split(" (")[0] if failed else f"{test}, which crashes"
+    return None
+
+
+def try_out(mutation, jobs):
+    name, file, old, new = mutation
+    path = os.path.join(SOURCE, file)
+    with open(path, encoding="utf-8") as source:
+        text = source.read()
+    if old not in text:
+        return f"is no longer in {file}", False
+    tests = ["test_tools"] if file.startswith("tools/") else LIBRARY_TESTS
+    try:
+        with open(path, "w", encoding="utf-8") as source:
+            source.write(text.replace(old, new, 1))
+        found = noticed_by(tests, jobs)
+    finally:
+        with open(path, "w", encoding="utf-8") as source:
+            source.write(text)
+    return (found or "NOBODY"), bool(found) and found != "does not compile"
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Breaks the code in named ways and runs the tests.")
+    parser.add_argument("--only", default="", help="part of the names of those to try")
+    parser.add_argument("--jobs", default="2")
+    arguments = parser.parse_args()
+    prepare(arguments.jobs)
+    chosen = [mutation for mutation in MUTATIONS if arguments.only in mutation[0]]
+    caught = 0
+    for mutation in chosen:
+        found, good = try_out(mutation, arguments.jobs)
+        caught += good
+        print(f"| {mutation[0]} | {found} |", flush=True)
+    print(f"{caught} of {len(chosen)} are noticed")
+    return 0 if caught == len(chosen) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

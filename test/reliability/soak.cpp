@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// usage: soak [clouds]      default 1000
+// Smooths one cloud after another in one process, good ones and bad, and looks at its memory: after the first tenth, 60
+// clouds at least, it must not grow by more than 5 %. Exit status 1 where it does.
+#include "shapes.h"
+
+#include <pcl_normal_smoothing/normal_smoothing.h>
+
+#include <pcl/console/print.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+namespace
+{
+using namespace pcl_normal_smoothing;
+using Cloud = pcl::PointCloud<pcl::PointNormal>;
+
+double
+residentMegabytes ()
+{
+  std::size_t pages = 0, resident = 0;
+  std::ifstream ("/proc/self/statm") >> pages >> resident;
+  return static_cast<double> (resident) * static_cast<double> (sysconf (_SC_PAGESIZE)) / 1e6;
+}
+
+/** Sizes come round again every 20 clouds; one of them has two points, one is cancelled. */
+Cloud::Ptr
+makeCloud (int number)
+{
+  const int size = number % 20 == 13 ? 2 : 1000 + 700 * (number % 20);
+  const auto shape = test_support::torus (size, 1, 0.4);
+  auto cloud = std::make_shared<Cloud> ();
+  for (const auto& position : test_support::withNoise (shape.points, 0.01, static_cast<std::uint64_t> (number))) {
+    cloud->emplace_back ();
+    cloud->back ().getVector3fMap () = position;
+  }
+  return cloud;
+}
+
+/** \return whether it ended as it should */
+bool
+smooth (NormalSmoothing<pcl::PointNormal>& smoothing, int number)
+{
+  const Cloud::Ptr cloud = makeCloud (number);
+  constexpr SmoothingPreset presets[] = {SmoothingPreset::DEFAULT, SmoothingPreset::FAST, SmoothingPreset::PAPER};
+  smoothing.setPreset (presets[number % 3]);
+  const bool cancel = number % 20 == 17;
+  smoothing.setProgressCallback ([cancel] (double done) { return !cancel || done < 0.5; });
+  smoothing.setInputCloud (cloud);
+  Cloud output;
+  smoothing.filter (output);
+  if (cloud->size () < 3)
+    return output.empty () && !smoothing.getErrorMessage ().empty ();
+  return output.size () == cloud->size () && smoothing.wasCancelled () == cancel;
+}
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  const int count = argc > 1 ? std::atoi (argv[1]) : 1000;
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // errors are part of it
+  NormalSmoothing<pcl::PointNormal> smoothing;
+  const int warm_up = std::max (60, count / 10); // once through all sizes and presets
+  double first = 0;
+  for (int number = 0; number < count; ++number) {
+    if (!smooth (smoothing, number)) {
+      std::printf ("cloud %d: %s\n", number, smoothing.getErrorMessage ().c_str ());
+      return 1;
+    }
+    if (number == warm_up)
+      first = residentMegabytes ();
+  }
+  const double last = residentMegabytes ();
+  std::printf ("%d clouds: %.1f MB after %d of them, %.1f MB at the end (%+.1f %%)\n", count, first, warm_up, last,
+               100 * (last / first - 1));
+  return last > 1.05 * first ? 1 : 0;
+}
