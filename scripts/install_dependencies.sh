@@ -12,4 +12,5 @@ install_packages \
   "ccache|makes a second build fast" \
   "libpcl-dev|the Point Cloud Library, 1.12 or newer, with Eigen, FLANN, Boost and VTK" \
   "libcgal-dev|CGAL, which reads meshes in the tools" \
+  "nlohmann-json3-dev|the reports of the tools" \
   "libgtest-dev|GoogleTest, for the tests"

@@ -9,7 +9,6 @@
 #include <pcl_normal_smoothing/run_settings.h>
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace pcl_normal_smoothing
@@ -72,31 +71,6 @@ std::string
 lengthOrNone (float length)
 {
   return std::isfinite (length) ? textOf (length) : no_length;
-}
-
-std::string
-asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const SearchOptions& search, int preset_k)
-{
-  std::string line = "-preset " + wordFor (presets, preset) + " -normals " + wordFor (sources, method.normals);
-  if (search.radius > 0)
-    line += " -radius " + textOf (static_cast<float> (search.radius));
-  else
-    line += " -k " + std::to_string (search.k > 0 ? search.k : preset_k);
-  if (search.max_radius > 0)
-    line += " -max_radius " + textOf (static_cast<float> (search.max_radius));
-  if (method.robust)
-    line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " +
-            textOf (method.rounds.noise.sigma) + " -point_spacing " + textOf (method.rounds.noise.spacing) +
-            " -sheet_distance " + lengthOrNone (method.rounds.sheet_distance) +
-            optionIfFinite (" -max_displacement ", method.rounds.max_displacement);
-  else
-    line += " -weights " + wordFor (weights, method.filter.weight) + " -mixed " +
-            wordFor (mixed_thresholds, method.filter.mixed_threshold) + " -threshold " +
-            textOf (method.filter.threshold) + " -sigma_s " + textOf (method.filter.sigma_s) + " -normal_iterations " +
-            textOf (method.filter.iterations) + " -update " + wordFor (rules, method.update.rule) +
-            " -update_sigma_s " + textOf (method.update.sigma_s) + " -point_iterations " +
-            textOf (method.update.iterations) + optionIfFinite (" -max_displacement ", method.update.max_displacement);
-  return line + " -oriented " + (method.filter.oriented ? "1" : "0") + " -seed " + std::to_string (method.hough.seed);
 }
 
 /** A text for the default preset, and those of the others where they differ. */
@@ -261,16 +235,29 @@ FormatOption::addTo (Options& options)
                choiceOption<FileFormat> (formats, [this] (auto chosen) { format = chosen; }));
 }
 
-void
-printParameters (const std::string& input,
-                 SmoothingPreset preset,
-                 const core::SmoothingOptions& used,
-                 const SearchOptions& search,
-                 int preset_k)
+std::string
+asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const SearchOptions& search, int preset_k)
 {
-  std::printf ("parameters: %s\n", asOptions (preset, used, search, preset_k).c_str ());
-  if (used.robust && used.rounds.rounds > 0 && used.rounds.noise.sigma == 0)
-    note (input + ": no noise was found, nothing moves: give -noise_sigma if there is some");
+  std::string line = "-preset " + wordFor (presets, preset) + " -normals " + wordFor (sources, method.normals);
+  if (search.radius > 0)
+    line += " -radius " + textOf (static_cast<float> (search.radius));
+  else
+    line += " -k " + std::to_string (search.k > 0 ? search.k : preset_k);
+  if (search.max_radius > 0)
+    line += " -max_radius " + textOf (static_cast<float> (search.max_radius));
+  if (method.robust)
+    line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " +
+            textOf (method.rounds.noise.sigma) + " -point_spacing " + textOf (method.rounds.noise.spacing) +
+            " -sheet_distance " + lengthOrNone (method.rounds.sheet_distance) +
+            optionIfFinite (" -max_displacement ", method.rounds.max_displacement);
+  else
+    line += " -weights " + wordFor (weights, method.filter.weight) + " -mixed " +
+            wordFor (mixed_thresholds, method.filter.mixed_threshold) + " -threshold " +
+            textOf (method.filter.threshold) + " -sigma_s " + textOf (method.filter.sigma_s) + " -normal_iterations " +
+            textOf (method.filter.iterations) + " -update " + wordFor (rules, method.update.rule) +
+            " -update_sigma_s " + textOf (method.update.sigma_s) + " -point_iterations " +
+            textOf (method.update.iterations) + optionIfFinite (" -max_displacement ", method.update.max_displacement);
+  return line + " -oriented " + (method.filter.oriented ? "1" : "0") + " -seed " + std::to_string (method.hough.seed);
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -91,13 +91,8 @@ struct FormatOption
   addTo (Options& options);
 };
 
-/** Prints the parameters that a smoothing used, in one line, as options that give the same smoothing again; and a note
-  * where it had nothing to do. */
-void
-printParameters (const std::string& input,
-                 SmoothingPreset preset,
-                 const core::SmoothingOptions& used,
-                 const SearchOptions& search,
-                 int preset_k);
+/** The parameters that a smoothing used, in one line, as options that give the same smoothing again. */
+std::string
+asOptions (SmoothingPreset preset, const core::SmoothingOptions& used, const SearchOptions& search, int preset_k);
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -111,7 +111,7 @@ Options::add (const std::string& name,
               const std::string& standard,
               const OptionReader& reader)
 {
-  options_.push_back ({name, value, help, standard, reader, false});
+  options_.push_back ({name, value, help, standard, reader, false, {}});
 }
 
 Options::Option*
@@ -125,6 +125,22 @@ bool
 Options::given (const std::string& name) const
 {
   return std::any_of (options_.begin (), options_.end (), [&] (const auto& o) { return o.name == name && o.given; });
+}
+
+std::map<std::string, std::string>
+Options::given () const
+{
+  std::map<std::string, std::string> texts;
+  for (const Option& option : options_)
+    if (option.given)
+      texts[option.name] = option.text;
+  return texts;
+}
+
+void
+Options::replaceFilesBy (const std::vector<std::string>& names)
+{
+  file_options_ = names;
 }
 
 bool
@@ -148,7 +164,8 @@ Options::parse (int argc, char** argv)
     if (i + 1 == words.size () || find (words[i + 1]))
       throw UsageError ("option " + words[i] + " has no value: give " + words[i] + " " + option->value);
     try {
-      option->reader (words[++i]);
+      option->text = words[++i];
+      option->reader (option->text);
     }
     catch (const UsageError& error) {
       throw UsageError ("option " + option->name + ": " + error.what () + ": see " + tool + " -h");
@@ -159,9 +176,26 @@ Options::parse (int argc, char** argv)
   return true;
 }
 
+bool
+Options::filesReplaced (const std::string& tool) const
+{
+  const auto count = static_cast<std::size_t> (std::count_if (file_options_.begin (), file_options_.end (),
+                                                              [&] (const std::string& name) { return given (name); }));
+  if (count == 0)
+    return false;
+  if (count < file_options_.size ())
+    throw UsageError (file_options_.front () + " and " + file_options_.back () + " go together\n" + usage (tool));
+  if (!files_.empty ())
+    throw UsageError ("file names are given beside " + file_options_.front () + ": give one or the other\n" +
+                      usage (tool));
+  return true;
+}
+
 void
 Options::checkFiles (const std::string& tool) const
 {
+  if (filesReplaced (tool))
+    return;
   const std::string last = file_roles_.empty () ? "" : file_roles_.back ();
   const bool any_more = last.size () > 3 && last.substr (last.size () - 3) == "...";
   const std::size_t needed = file_roles_.size () - (any_more ? 1 : 0);
@@ -176,6 +210,13 @@ Options::usage (const std::string& tool) const
   std::string text = "usage: " + tool;
   for (const std::string& role : file_roles_)
     text += " " + role;
+  text += " [options]";
+  if (file_options_.empty ())
+    return text;
+  text += "\n       " + tool;
+  for (const Option& option : options_)
+    if (std::find (file_options_.begin (), file_options_.end (), option.name) != file_options_.end ())
+      text += " " + option.name + " " + option.value;
   return text + " [options]";
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,9 +97,17 @@ public:
   bool
   parse (int argc, char** argv);
 
+  /** Options that, all together, stand in place of the file names. */
+  void
+  replaceFilesBy (const std::vector<std::string>& names);
+
   /** The option was on the command line. */
   bool
   given (const std::string& name) const;
+
+  /** The options of the command line, each with its text. */
+  std::map<std::string, std::string>
+  given () const;
 
   /** A file name of the command line; empty before parse() has found it. */
   std::string
@@ -113,6 +122,7 @@ private:
     std::string name, value, help, standard;
     OptionReader reader;
     bool given;
+    std::string text;
   };
 
   Option*
@@ -129,9 +139,14 @@ private:
   void
   checkFiles (const std::string& tool) const;
 
+  /** \return whether options stand in place of the file names \throw UsageError where only some of them do */
+  bool
+  filesReplaced (const std::string& tool) const;
+
   std::string purpose_;
   std::vector<std::string> file_roles_;
   std::vector<std::string> files_;
+  std::vector<std::string> file_options_;
   std::vector<Option> options_;
 };
 } // namespace tools

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_graph.h"
-#include "method_options.h"
+#include "batch.h"
+#include "smoothing_report.h"
 #include "tool.h"
 
-#include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/normal_smoothing.h>
+#include <cstdio>
 
 using namespace pcl_normal_smoothing;
 
 namespace
 {
-class Smoothing : public NormalSmoothing<pcl::PCLPointCloud2>
-{
-public:
-  using SmoothingSettings::presetK;
-};
-
 class NormalSmoothingTool : public tools::Tool
 {
   void
@@ -26,48 +19,60 @@ class NormalSmoothingTool : public tools::Tool
                           "field.\n") +
                           tools::presets_and_chain,
                       {"input.pcd|ply", "output.pcd|ply"});
-    tools::addPresetOptions (options, smoothing_);
-    search_.addTo (options, tools::presetStandardK ());
-    tools::addFilterOptions (options, tools::presetStandard, smoothing_);
-    tools::addUpdateOptions (options, tools::presetStandard, smoothing_);
-    tools::addNoiseOptions (options, smoothing_);
-    tools::addOrientedOption (options, smoothing_);
-    options.add ("-save_normals", "0|1", "1: write the normals that the points fit to normal_x normal_y normal_z", "0",
-                 tools::switchOption ([this] (bool save) { smoothing_.setSaveNormals (save); }));
-    tools::addSeedOption (options, "0", [this] (std::uint64_t seed) { smoothing_.setSeed (seed); });
-    format_.addTo (options);
+    job_.addOptions (options);
+    addTextOption (options, "-report", "R.json", "write a report: parameters, noise, displacements, seconds", report_);
+    addTextOption (
+        options, "-input_dir", "A",
+        "smooth every PCD and PLY file of a folder that is not done yet; one that fails is named, the others go on",
+        input_folder_);
+    addTextOption (options, "-output_dir", "B", "to these names in another folder, each with a report beside it",
+                   output_folder_);
+    options.replaceFilesBy ({"-input_dir", "-output_dir"});
+  }
+
+  static void
+  addTextOption (tools::Options& options,
+                 const std::string& name,
+                 const std::string& value,
+                 const std::string& help,
+                 std::string& text)
+  {
+    options.add (name, value, help, "none", [&text] (const std::string& given) { text = given; });
   }
 
   void
   work (const tools::Options& options) override
   {
-    const core::NeighborQuery query = search_.query (smoothing_.presetK ());
-    tools::checkOptions (smoothing_.options ());
-    tools::checkOutput (options.file (1), format_.format);
-    tools::CloudFile file = tools::loadInput (options.file (0));
-    tools::checkPointCount (core::finiteElements (readPositions (tools::positionsOf (file))).size (), query.k);
-    if (smoothing_.options ().normals == NormalSource::INPUT)
-      tools::normalLayoutOf (file, tools::normals_advice);
-    if (smoothing_.getSaveNormals ())
-      tools::addNormalFields (file);
-    smoothing_.setKSearch (static_cast<int> (query.k));
-    smoothing_.setRadiusSearch (search_.radius);
-    smoothing_.setMaxNeighborDistance (search_.max_radius);
-    smoothing_.setNumberOfThreads (search_.threads);
-    smoothing_.setProgressCallback (tools::progressOnTerminal ());
-    smoothing_.setInputCloud (file.cloud);
-    file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
-    smoothing_.filter (*file.cloud);
-    if (!smoothing_.getErrorMessage ().empty ())
-      throw core::Error (smoothing_.getErrorMessage ());
-    tools::saveResult (file, options.file (1), format_.format);
-    tools::printParameters (options.file (0), smoothing_.getPreset (), smoothing_.usedOptions (), search_,
-                            smoothing_.presetK ());
+    job_.check ();
+    if (!report_.empty ())
+      tools::checkReport (report_);
+    if (options.given ("-input_dir"))
+      smoothFolder (options);
+    else
+      smoothFile (options.file (0), options.file (1));
   }
 
-  Smoothing smoothing_;
-  tools::SearchOptions search_;
-  tools::FormatOption format_;
+  void
+  smoothFile (const std::string& input, const std::string& output)
+  {
+    const tools::SmoothingResult result =
+        job_.smooth (input, output, job_.threads (), tools::progressOnTerminal (), !report_.empty ());
+    std::printf ("%s: %zu points\nparameters: %s\n", output.c_str (), result.points, result.parameters.c_str ());
+    if (!report_.empty ())
+      tools::saveReport (result.report, report_);
+  }
+
+  void
+  smoothFolder (const tools::Options& options)
+  {
+    std::map<std::string, std::string> changing = options.given ();
+    for (const char* name : {"-threads", "-report", "-input_dir", "-output_dir"})
+      changing.erase (name);
+    tools::Batch (job_, input_folder_, output_folder_, changing).run (report_);
+  }
+
+  tools::SmoothingJob job_;
+  std::string report_, input_folder_, output_folder_;
 };
 } // namespace
 

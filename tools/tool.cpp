@@ -64,13 +64,6 @@ fail (ExitStatus status, const std::string& message)
   note (message);
   return status;
 }
-
-/** A message about data, with the file that they are from. */
-std::string
-ofFile (const Options& options, const std::string& message)
-{
-  return options.file (0) + ": " + message;
-}
 } // namespace
 
 void
@@ -95,16 +88,10 @@ progressOnTerminal ()
 }
 
 int
-runTool (int argc, char** argv, Tool& tool)
+exitStatusOf (const std::string& file, const std::function<void ()>& work)
 {
-  tool_name = std::filesystem::path (argv[0]).filename ().string ();
-  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // every message comes from here
-  handleSignals ();
-  Options options;
   try {
-    tool.describe (options);
-    if (options.parse (argc, argv))
-      tool.work (options);
+    work ();
     if (std::fflush (stdout) != 0)
       throw FileError ("the standard output", "cannot be written", "free some space, or send it elsewhere");
     return DONE;
@@ -116,11 +103,26 @@ runTool (int argc, char** argv, Tool& tool)
     return fail (FILE_TROUBLE, error.what ());
   }
   catch (const std::bad_alloc&) {
-    return fail (DATA_TROUBLE, ofFile (options, "there is not enough memory: give it in parts, or take a smaller k"));
+    return fail (DATA_TROUBLE, file + ": there is not enough memory: give it in parts, or take a smaller k");
   }
   catch (const std::exception& error) {
-    return fail (DATA_TROUBLE, ofFile (options, error.what ()));
+    return fail (DATA_TROUBLE, file + ": " + error.what ());
   }
+}
+
+int
+runTool (int argc, char** argv, Tool& tool)
+{
+  tool_name = std::filesystem::path (argv[0]).filename ().string ();
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // every message comes from here
+  handleSignals ();
+  Options options;
+  bool work = false;
+  const int status = exitStatusOf (tool_name, [&] {
+    tool.describe (options);
+    work = options.parse (argc, argv);
+  });
+  return work && status == DONE ? exitStatusOf (options.file (0), [&] { tool.work (options); }) : status;
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -30,6 +30,11 @@ public:
 int
 runTool (int argc, char** argv, Tool& tool);
 
+/** Does some work, and turns whatever it throws into a message and an exit status as runTool does.
+  * \param[in] file named in the message where the data cannot be worked on */
+int
+exitStatusOf (const std::string& file, const std::function<void ()>& work);
+
 /** Shows on the terminal how far the work is; empty where stderr is no terminal. */
 ProgressCallback
 progressOnTerminal ();

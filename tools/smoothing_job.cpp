@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smoothing_job.h"
+
+#include "cloud_graph.h"
+#include "smoothing_report.h"
+#include "tool.h"
+
+#include <pcl_normal_smoothing/core/error.h>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+void
+SmoothingJob::addOptions (Options& options)
+{
+  addPresetOptions (options, smoothing_);
+  search_.addTo (options, presetStandardK ());
+  addFilterOptions (options, presetStandard, smoothing_);
+  addUpdateOptions (options, presetStandard, smoothing_);
+  addNoiseOptions (options, smoothing_);
+  addOrientedOption (options, smoothing_);
+  options.add ("-save_normals", "0|1", "1: write the normals that the points fit to normal_x normal_y normal_z", "0",
+               switchOption ([this] (bool save) { smoothing_.setSaveNormals (save); }));
+  addSeedOption (options, "0", [this] (std::uint64_t seed) { smoothing_.setSeed (seed); });
+  format_.addTo (options);
+}
+
+void
+SmoothingJob::check () const
+{
+  search_.query (smoothing_.presetK ());
+  checkOptions (smoothing_.options ());
+}
+
+CloudFile
+SmoothingJob::load (const std::string& input)
+{
+  CloudFile file = loadInput (input);
+  const std::size_t k = search_.query (smoothing_.presetK ()).k;
+  checkPointCount (core::finiteElements (readPositions (positionsOf (file))).size (), k);
+  if (smoothing_.options ().normals == NormalSource::INPUT)
+    normalLayoutOf (file, normals_advice);
+  if (smoothing_.getSaveNormals ())
+    addNormalFields (file);
+  return file;
+}
+
+void
+SmoothingJob::run (CloudFile& file, unsigned threads, const ProgressCallback& progress)
+{
+  const core::NeighborQuery query = search_.query (smoothing_.presetK ());
+  smoothing_.setKSearch (static_cast<int> (query.k));
+  smoothing_.setRadiusSearch (search_.radius);
+  smoothing_.setMaxNeighborDistance (search_.max_radius);
+  smoothing_.setNumberOfThreads (threads);
+  smoothing_.setProgressCallback (progress);
+  smoothing_.setInputCloud (file.cloud);
+  file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
+  smoothing_.filter (*file.cloud);
+  if (!smoothing_.getErrorMessage ().empty ())
+    throw core::Error (smoothing_.getErrorMessage ());
+  const core::RobustSmoothingOptions& rounds = smoothing_.usedOptions ().rounds;
+  if (smoothing_.usedOptions ().robust && rounds.rounds > 0 && rounds.noise.sigma == 0)
+    note (file.path + ": no noise was found, nothing moves: give -noise_sigma if there is some");
+}
+
+std::string
+SmoothingJob::parameters () const
+{
+  return asOptions (smoothing_.getPreset (), smoothing_.usedOptions (), search_, smoothing_.presetK ());
+}
+
+SmoothingResult
+SmoothingJob::smooth (const std::string& input,
+                      const std::string& output,
+                      unsigned threads,
+                      const ProgressCallback& progress,
+                      bool with_report)
+{
+  Stopwatch stopwatch;
+  checkOutput (output, format_.format);
+  CloudFile file = load (input);
+  const CloudFile noisy = file;
+  stopwatch.lap ("read");
+  run (file, threads, progress);
+  stopwatch.lap ("smooth");
+  saveCloud (file, output, format_.format);
+  stopwatch.lap ("write");
+  SmoothingResult result {file.size (), parameters (), {}};
+  if (!with_report)
+    return result;
+  result.report = Json {{"input", input}, {"output", output}, {"version", version ()}, {"points", result.points}};
+  result.report["parameters"] = parametersAsJson (result.parameters);
+  result.report["noise"] = noiseOf (noisy, smoothing_.usedOptions (), core::Execution (threads));
+  result.report["displacement"] = displacementOf (noisy, file);
+  result.report["seconds"] = stopwatch.laps ();
+  return result;
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "method_options.h"
+
+#include <pcl_normal_smoothing/normal_smoothing.h>
+
+#include <nlohmann/json.hpp>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+using Json = nlohmann::ordered_json;
+
+/** What one smoothing has to tell. */
+struct SmoothingResult
+{
+  std::size_t points = 0;
+  /** As options that give the same smoothing again. */
+  std::string parameters;
+  /** Empty unless asked for. */
+  Json report;
+};
+
+/** Smooths files, all by the same options. */
+class SmoothingJob
+{
+public:
+  /** Adds the options of the method. */
+  void
+  addOptions (Options& options);
+
+  /** \throw UsageError where the options do not fit each other */
+  void
+  check () const;
+
+  /** Threads that the user asked for, 0 = all cores. */
+  unsigned
+  threads () const
+  {
+    return search_.threads;
+  }
+
+  /** \param[in] with_report looks at the noise and the displacements, too
+    * \throw UsageError, FileError, core::Error; nothing is written then */
+  SmoothingResult
+  smooth (const std::string& input,
+          const std::string& output,
+          unsigned threads,
+          const ProgressCallback& progress,
+          bool with_report);
+
+private:
+  class Smoothing : public NormalSmoothing<pcl::PCLPointCloud2>
+  {
+  public:
+    using SmoothingSettings::presetK;
+  };
+
+  CloudFile
+  load (const std::string& input);
+
+  /** Puts the smoothed cloud in the place of the cloud of \a file. */
+  void
+  run (CloudFile& file, unsigned threads, const ProgressCallback& progress);
+
+  std::string
+  parameters () const;
+
+  Smoothing smoothing_;
+  SearchOptions search_;
+  FormatOption format_;
+};
+} // namespace tools
+} // namespace pcl_normal_smoothing

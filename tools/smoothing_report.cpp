@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smoothing_report.h"
+
+#include "cloud_graph.h"
+#include "output_file.h"
+#include "tool_error.h"
+
+#include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/run_settings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+void
+Stopwatch::lap (const std::string& name)
+{
+  const auto now = std::chrono::steady_clock::now ();
+  laps_[name] = std::chrono::duration<double> (now - begin_).count ();
+  begin_ = now;
+}
+
+std::string
+version ()
+{
+  return PCL_NORMAL_SMOOTHING_VERSION;
+}
+
+Json
+parametersAsJson (const std::string& options)
+{
+  Json parameters;
+  std::istringstream words (options);
+  for (std::string name, value; words >> name >> value;) {
+    const Json number = Json::parse (value, nullptr, false);
+    parameters[name.substr (1)] = number.is_discarded () ? Json (value) : number;
+  }
+  return parameters;
+}
+
+Json
+noiseOf (const CloudFile& noisy, const core::SmoothingOptions& used, const core::Execution& execution)
+{
+  core::NoiseEstimate noise = used.rounds.noise;
+  if (!used.robust) {
+    const core::Positions cloud = readPositions (positionsOf (noisy));
+    const auto graph = core::NeighborGraph::build (cloud, makeNeighborQuery (16, 0, 0), execution);
+    noise = core::estimateNoise (*graph, core::gather (cloud, graph->order ()), execution);
+  }
+  return {{"sigma", noise.sigma}, {"spacing", noise.spacing}};
+}
+
+Json
+displacementOf (const CloudFile& noisy, const CloudFile& smoothed)
+{
+  const VectorView before = positionsOf (noisy), after = positionsOf (smoothed);
+  std::size_t finite = 0, moved = 0;
+  double sum = 0, squares = 0, farthest = 0;
+  for (std::size_t i = 0; i < before.size; ++i) {
+    const double distance = (after.layout.get (after.data, i) - before.layout.get (before.data, i)).norm ();
+    if (!std::isfinite (distance))
+      continue;
+    ++finite;
+    moved += distance > 0 ? 1 : 0;
+    sum += distance;
+    squares += distance * distance;
+    farthest = std::max (farthest, distance);
+  }
+  const auto count = static_cast<double> (std::max<std::size_t> (finite, 1));
+  return {{"finite_points", finite},
+          {"moved_points", moved},
+          {"mean", sum / count},
+          {"rms", std::sqrt (squares / count)},
+          {"max", farthest}};
+}
+
+void
+checkReport (const std::string& path)
+{
+  if (extensionOf (path) != ".json")
+    throw UsageError (path + ": a report is JSON: end its name in .json");
+  checkWritable (path);
+}
+
+void
+saveReport (const Json& report, const std::string& path)
+{
+  OutputFile file (path);
+  file.write (report.dump (2) + "\n");
+  file.commit ();
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing
