@@ -213,7 +213,7 @@ Options::usage (const std::string& tool) const
   text += " [options]";
   if (file_options_.empty ())
     return text;
-  text += "\n       " + tool;
+  text += "\n  or:  " + tool; // as help2man expects it
   for (const Option& option : options_)
     if (std::find (file_options_.begin (), file_options_.end (), option.name) != file_options_.end ())
       text += " " + option.name + " " + option.value;
