@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Three filters in a chain that knows them as pcl::Filter only: thin out, remove outliers, smooth. Colours stay.
+// Three filters in a chain that knows them as pcl::Filter only: thin out, remove outliers, smooth; then normals.
+// Colours stay.
 #include <pcl_normal_smoothing/normal_smoothing.h>
 
+#include <pcl/features/normal_3d_omp.h>
 #include <pcl/filters/statistical_outlier_removal.h>
 #include <pcl/filters/voxel_grid.h>
 
@@ -38,6 +40,23 @@ meanDistanceToSphere (const Cloud& cloud)
   return sum / static_cast<double> (cloud.size ());
 }
 
+/** Mean angle between the normals that PCA finds and the sphere's, in degrees. */
+double
+meanNormalError (const Cloud::ConstPtr& cloud)
+{
+  pcl::NormalEstimationOMP<PointT, pcl::Normal> estimation;
+  estimation.setInputCloud (cloud);
+  estimation.setKSearch (15);
+  pcl::PointCloud<pcl::Normal> normals;
+  estimation.compute (normals);
+  double sum = 0;
+  for (std::size_t i = 0; i < cloud->size (); ++i) {
+    const Eigen::Vector3f truth = (*cloud)[i].getVector3fMap ().normalized ();
+    sum += std::acos (std::min (std::abs (normals[i].getNormalVector3fMap ().dot (truth)), 1.0f)) * 180 / M_PI;
+  }
+  return sum / static_cast<double> (cloud->size ());
+}
+
 std::vector<pcl::Filter<PointT>::Ptr>
 makeChain ()
 {
@@ -56,10 +75,11 @@ main ()
 {
   Cloud::Ptr cloud = makeScan ();
   std::size_t before_smoothing = 0;
-  double error_before = 0;
+  double error_before = 0, angle_before = 0;
   for (const auto& filter : makeChain ()) {
     before_smoothing = cloud->size ();
     error_before = meanDistanceToSphere (*cloud);
+    angle_before = meanNormalError (cloud);
     auto filtered = pcl::make_shared<Cloud> ();
     filter->setInputCloud (cloud);
     filter->filter (*filtered);
@@ -67,9 +87,11 @@ main ()
     std::cout << cloud->size () << " points, mean distance to the sphere " << meanDistanceToSphere (*cloud) << "\n";
   }
 
+  const double angle = meanNormalError (cloud);
+  std::cout << "normals " << angle_before << " degrees off before smoothing, " << angle << " after\n";
   const bool colored = std::all_of (cloud->begin (), cloud->end (), [] (const PointT& point) {
     return std::abs (point.x) < 0.1f || (point.r > point.b) == (point.x < 0);
   });
   const bool smoother = meanDistanceToSphere (*cloud) < 0.7 * error_before;
-  return colored && smoother && cloud->size () == before_smoothing ? 0 : 1;
+  return colored && smoother && angle < 0.7 * angle_before && cloud->size () == before_smoothing ? 0 : 1;
 }

@@ -213,7 +213,7 @@ Options::usage (const std::string& tool) const
   text += " [options]";
   if (file_options_.empty ())
     return text;
-  text += "\n       " + tool;
+  text += "\n  or:  " + tool; // as help2man expects it
   for (const Option& option : options_)
     if (std::find (file_options_.begin (), file_options_.end (), option.name) != file_options_.end ())
       text += " " + option.name + " " + option.value;
@@ -223,7 +223,9 @@ Options::usage (const std::string& tool) const
 void
 Options::printHelp (const std::string& tool) const
 {
-  std::printf ("%s\n\n%s\n\noptions, before or after the file names:\n", purpose_.c_str (), usage (tool).c_str ());
+  // The words and blanks by which help2man tells the parts of a man page.
+  const std::string synopsis = "U" + usage (tool).substr (1);
+  std::printf ("%s\n\n%s\n\nOptions, before or after the file names:\n", purpose_.c_str (), synopsis.c_str ());
   std::size_t width = 2;
   for (const Option& option : options_)
     width = std::max (width, option.name.size () + 1 + option.value.size ());

@@ -20,24 +20,16 @@ class NormalSmoothingTool : public tools::Tool
                           tools::presets_and_chain,
                       {"input.pcd|ply", "output.pcd|ply"});
     job_.addOptions (options);
-    addTextOption (options, "-report", "R.json", "write a report: parameters, noise, displacements, seconds", report_);
-    addTextOption (
-        options, "-input_dir", "A",
+    const auto into = [] (std::string& text) { return [&text] (const std::string& given) { text = given; }; };
+    options.add ("-report", "R.json", "write a report: parameters, noise, displacements, seconds", "none",
+                 into (report_));
+    options.add (
+        "-input_dir", "A",
         "smooth every PCD and PLY file of a folder that is not done yet; one that fails is named, the others go on",
-        input_folder_);
-    addTextOption (options, "-output_dir", "B", "to these names in another folder, each with a report beside it",
-                   output_folder_);
+        "none", into (input_folder_));
+    options.add ("-output_dir", "B", "to these names in another folder, each with a report beside it", "none",
+                 into (output_folder_));
     options.replaceFilesBy ({"-input_dir", "-output_dir"});
-  }
-
-  static void
-  addTextOption (tools::Options& options,
-                 const std::string& name,
-                 const std::string& value,
-                 const std::string& help,
-                 std::string& text)
-  {
-    options.add (name, value, help, "none", [&text] (const std::string& given) { text = given; });
   }
 
   void

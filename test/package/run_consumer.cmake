@@ -16,6 +16,18 @@ run("${CMAKE_COMMAND}" -S "${WORK}/consumer" -B "${WORK}/build" -G "${GENERATOR}
 run("${CMAKE_COMMAND}" --build "${WORK}/build")
 run("${WORK}/build/smooth_cloud")
 
+# pkg-config tells where it is, from wherever the prefix was moved to.
+find_program(PKG_CONFIG pkg-config)
+file(GLOB_RECURSE pc "${WORK}/prefix/*/pcl_normal_smoothing.pc")
+if(PKG_CONFIG)
+  run("${PKG_CONFIG}" --validate "${pc}")
+  execute_process(COMMAND "${PKG_CONFIG}" --variable=includedir "${pc}" OUTPUT_VARIABLE include_folder
+    OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT EXISTS "${include_folder}/pcl_normal_smoothing/normal_smoothing.h")
+    message(FATAL_ERROR "pkg-config names a folder without headers: ${include_folder}")
+  endif()
+endif()
+
 # The installed tools find the installed library.
 file(GLOB tools "${WORK}/prefix/bin/pcl_*")
 foreach(tool IN LISTS tools)

@@ -1,0 +1,32 @@
+# Makes the Debian packages of BUILD below WORK, and looks into them. scripts/package.sh lets lintian look, too.
+file(REMOVE_RECURSE "${WORK}")
+execute_process(COMMAND "${CPACK}" -G DEB -B "${WORK}" WORKING_DIRECTORY "${BUILD}" RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "cpack failed: ${result}")
+endif()
+
+# expect_package(name contents... DEPENDS what...)
+function(expect_package name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS")
+  file(GLOB package "${WORK}/${name}_*.deb")
+  execute_process(COMMAND dpkg-deb -c "${package}" OUTPUT_VARIABLE contents RESULT_VARIABLE result)
+  execute_process(COMMAND dpkg-deb -f "${package}" Depends OUTPUT_VARIABLE depends)
+  foreach(part IN LISTS arg_UNPARSED_ARGUMENTS ITEMS /doc/${name}/copyright /doc/${name}/changelog.Debian.gz)
+    string(FIND "${contents}" "${part}" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "${package} has no ${part}:\n${contents}")
+    endif()
+  endforeach()
+  foreach(part IN LISTS arg_DEPENDS)
+    string(FIND "${depends}" "${part}" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "${package} does not depend on ${part}: ${depends}")
+    endif()
+  endforeach()
+endfunction()
+
+expect_package(${LIBRARY} libpcl_normal_smoothing.so.${VERSION} DEPENDS libpcl libgomp1)
+expect_package(libpcl-normal-smoothing-dev libpcl_normal_smoothing.so pcl_normal_smoothing.pc
+  pcl_normal_smoothingConfig.cmake normal_smoothing.h DEPENDS ${LIBRARY} libpcl-dev)
+expect_package(pcl-normal-smoothing-tools bin/pcl_normal_smoothing man1/pcl_normal_smoothing.1.gz
+  bash-completion/completions/pcl_normal_smoothing DEPENDS ${LIBRARY} libpcl)
