@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Many clouds, many processes, many points.
-# usage: scripts/reliability/load.sh [points]      default 32000000; 0 leaves the large cloud out
+# usage: scripts/reliability/load.sh [points] [build directory]      default 32000000; 0 leaves the large cloud out
 # Exit status 1 where a promise of doc/reliability.md does not hold.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-build=$root/build
+build=$(cd "${2:-$root/build}" && pwd)
 points=${1:-32000000}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -287,7 +287,7 @@ def main():
             os.makedirs(arguments.keep, exist_ok=True)
             kept = os.path.join(arguments.keep, f"{arguments.seed}_{number}_{name}")
             shutil.copy(os.path.join(folder, name), kept)
-            print(f"{' '.join(command)} on {kept} ({seed}: {', '.join(done)}): {trouble}")
+            print(f"{' '.join(command)} on {kept} ({seed}: {', '.join(done)}): {trouble}", flush=True)
         os.remove(os.path.join(folder, name))
     shutil.rmtree(folder)
     print(f"{arguments.count} damaged files: " +
