@@ -172,7 +172,7 @@ addFloatFields (pcl::PCLPointCloud2& cloud, const std::vector<std::string>& name
   std::vector<std::uint8_t> data (size * step);
   const float nan = std::numeric_limits<float>::quiet_NaN ();
   for (std::size_t i = 0; i < size; ++i) {
-    std::memcpy (data.data () + i * step, cloud.data.data () + i * old_step, old_step);
+    std::copy_n (cloud.data.data () + i * old_step, old_step, data.data () + i * step);
     for (std::size_t at = old_step; at < step; at += sizeof nan)
       std::memcpy (data.data () + i * step + at, &nan, sizeof nan);
   }

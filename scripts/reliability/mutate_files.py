@@ -154,7 +154,8 @@ def lost_line(data, dice):
 def twice(data, dice):
     lines = data.split(b"\n")
     line = dice.randrange(min(len(lines), 25))
-    return b"\n".join(lines[:line] + [lines[line]] * dice.choice((2, 3, 500)) + lines[line:])
+    times = dice.choice((2, 3, 500)) if len(lines[line]) < 1000 else 2
+    return b"\n".join(lines[:line] + [lines[line]] * times + lines[line:])
 
 
 def zero_bytes(data, dice):
@@ -273,7 +274,7 @@ def main():
         for _ in range(dice.choice((1, 1, 1, 2, 3))):
             mutation = dice.choice(MUTATIONS)
             done.append(mutation.__name__)
-            data = mutation(data, dice) if data else data
+            data = (mutation(data, dice) if data else data)[:4 << 20]
         name = "in" + os.path.splitext(seed)[1]
         with open(os.path.join(folder, name), "wb") as file:
             file.write(data)
