@@ -7,7 +7,7 @@ import geometry
 import style
 from panels import Panel, save
 from scene import coloured, view_of
-from summary import PEERS, combination
+from summary import PEERS, combination, only_default
 
 DISTANCE = ("distance to the clean surface, in mean edge lengths", "gist_heat_r")
 SHEETS = ("two_sheets", "two_sheets_apart")
@@ -60,17 +60,19 @@ def shown_rows(study, model, noise):
     cases += [(f"ours: {preset}", "ours", {"family": "ours", "name": preset}) for preset in ("default", "fast")]
     shown = []
     for title, family, extra in cases:
-        row = lowest(study.select(**extra, **where))
-        best = f"{title}, best" if family in ("peer", "sweep") else title
-        reason = study.why_missing(**extra, **where)
-        shown.append((best, row, "no cloud kept" if study.select(**extra, **where) else reason))
+        rows = study.select(**extra, **where)
+        row = lowest(rows)
+        if family in ("peer", "sweep"):
+            title += ", default" if family == "peer" and only_default(rows) else ", best"
+        shown.append((title, row, "no cloud kept" if rows else study.why_missing(**extra, **where)))
     return shown
 
 
 def add(study, page, folder, stage, progress):
     page.text(
         "The clean mesh with its vertices where each method put them: same camera, same scale, same colours. Each peer, and"
-        " the paper's chain, at the setting that came nearest to the surface; below each picture its p2s ratio."
+        " the paper's chain, at the setting that came nearest to the surface (its default where no other was tried); below each"
+        " picture its p2s ratio."
     )
     if not study.models:
         page.gap("renderings", "the study has no model")

@@ -80,13 +80,21 @@ def sweep_entries(study, **where):
     ]
 
 
+def only_default(rows):
+    """Whether all rows of a peer are of its default setting: nobody has looked for its best."""
+    return all(row["parameters"].endswith(DEFAULT_MARK) for row in rows)
+
+
 def peer_entries(study, peer, **where):
     rows = study.select(family="peer", name=peer, **where)
     defaults = [row for row in rows if row["parameters"].endswith(DEFAULT_MARK)]
     order = ranked(rows)
     reason = study.why_missing(family="peer", name=peer, **where)
+    best = order[0] if order else []
+    if defaults and only_default(rows):
+        best, reason = [], "only the default was tried"
     entries = []
-    for which, group in (("default", defaults), ("best", order[0] if order else [])):
+    for which, group in (("default", defaults), ("best", best)):
         setting = group[0]["parameters"].removesuffix(DEFAULT_MARK) if group else ""
         entries.append(Entry(f"{peer}: {which}", "peer", group, setting, reason))
     return entries
@@ -111,5 +119,5 @@ def entries(study, **where):
 
 def best_peer(found):
     """Of the entries the peer's with the lowest ratio, or None."""
-    peers = [entry for entry in found if entry.group == "peer" and entry.label.endswith("best") and entry.mean() is not None]
+    peers = [entry for entry in found if entry.group == "peer" and entry.mean() is not None]
     return min(peers, key=lambda entry: entry.mean(), default=None)

@@ -7,9 +7,11 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <array>
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <thread>
 
 namespace test_support
 {
@@ -109,6 +111,18 @@ expectEmpty (const pcl::PointCloud<PointT>& cloud)
 {
   EXPECT_TRUE (cloud.empty ());
   EXPECT_EQ (cloud.width * cloud.height, 0u);
+}
+
+/** What two runs side by side, each in a thread of its own, give. \param[in] run gives a cloud */
+template <typename Run>
+auto
+resultsOfTwoThreads (const Run& run)
+{
+  std::array<decltype (run ()), 2> results;
+  std::thread other ([&] { results[0] = run (); });
+  results[1] = run ();
+  other.join ();
+  return results;
 }
 
 inline bool

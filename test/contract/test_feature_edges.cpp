@@ -3,7 +3,6 @@
 #include "searches.h"
 
 #include <cmath>
-#include <thread>
 #include <utility>
 
 namespace
@@ -113,13 +112,7 @@ TYPED_TEST (FeatureEdges, CopiedAndMovedItGivesTheSame)
 TYPED_TEST (FeatureEdges, TwoObjectsRunInTwoThreadsAtOnce)
 {
   const auto expected = this->result ();
-  std::vector<typename TestFixture::CloudOut> outputs (2, poisonedCloud<typename TestFixture::PointOut> ());
-  std::vector<std::thread> threads;
-  for (auto& output : outputs)
-    threads.emplace_back ([this, &output] { output = this->result (); });
-  for (auto& thread : threads)
-    thread.join ();
-  for (const auto& output : outputs)
+  for (const auto& output : resultsOfTwoThreads ([this] { return this->result (); }))
     this->expectSameNormals (output, expected);
 }
 

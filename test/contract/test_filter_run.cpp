@@ -2,7 +2,6 @@
 #include "filter_fixture.h"
 
 #include <algorithm>
-#include <thread>
 
 namespace
 {
@@ -92,13 +91,7 @@ TYPED_TEST (FilterRun, AnExceptionOfTheCallbackIsAnError)
 TYPED_TEST (FilterRun, TwoObjectsRunInTwoThreadsAtOnce)
 {
   const auto expected = this->result ();
-  std::vector<typename TestFixture::Cloud> outputs (2, poisonedCloud<typename TestFixture::Point> ());
-  std::vector<std::thread> threads;
-  for (auto& output : outputs)
-    threads.emplace_back ([this, &output] { output = this->result (); });
-  for (auto& thread : threads)
-    thread.join ();
-  for (const auto& output : outputs)
+  for (const auto& output : resultsOfTwoThreads ([this] { return this->result (); }))
     expectSamePoints (output, expected);
 }
 } // namespace

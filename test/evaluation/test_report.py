@@ -23,6 +23,7 @@ except ImportError as error:
     sys.exit(77)
 
 import claims  # noqa: E402
+import gallery  # noqa: E402
 import geometry  # noqa: E402
 import honesty  # noqa: E402
 import report_fixture as fixture  # noqa: E402
@@ -236,6 +237,18 @@ class PoorStudies(unittest.TestCase):
             best = summary.peer_entries(Study(folder), "RIMLS", model="m", noise="GN")[1]
             self.assertEqual((best.setting, best.seeds), ("a", 2))
             self.assertAlmostEqual(best.mean(), 0.7)
+
+    def test_a_default_alone_is_not_called_the_best(self):
+        with tempfile.TemporaryDirectory() as folder:
+            alone = fixture.row("m", "GN", "peer", "RIMLS", parameters="a (default)", p2s_ratio=0.5)
+            fixture.write_study(folder, [alone], ["m"])
+            study = Study(folder)
+            default, best = summary.peer_entries(study, "RIMLS", model="m", noise="GN")
+            self.assertAlmostEqual(default.mean(), 0.5)
+            self.assertIsNone(best.mean())
+            self.assertEqual(best.reason, "only the default was tried")
+            titles = [title for title, _, _ in gallery.shown_rows(study, "m", "GN")]
+            self.assertIn("RIMLS, default", titles)
 
 
 if __name__ == "__main__":
