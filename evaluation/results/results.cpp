@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr auto between_saves = std::chrono::seconds (3);
 } // namespace
 
-Results::Results (const std::string& folder) : folder_ (folder)
+Results::Results (const std::string& folder) : folder_ (folder), lock_ (folder)
 {
   if (std::filesystem::exists (folder_ + "/rows.json"))
     load ();

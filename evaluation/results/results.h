@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "results/folder_lock.h"
 #include "results/row.h"
 
 #include <chrono>
@@ -15,7 +16,7 @@ namespace pcl_normal_smoothing::evaluation
 class Results
 {
 public:
-  /** \param[in] folder exists \throw FileError where rows.json is there but cannot be read */
+  /** \param[in] folder exists \throw FileError where rows.json is there but cannot be read, or another study is at work */
   explicit Results (const std::string& folder);
 
   /** The row of that key; nullptr where there is none. Valid until the next put. */
@@ -45,6 +46,7 @@ private:
   load ();
 
   std::string folder_;
+  FolderLock lock_;
   std::vector<Row> rows_;
   std::unordered_map<std::string, std::size_t> places_;
   std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now ();

@@ -70,12 +70,14 @@ TEST (Rows, AsJsonAndBack)
 
 TEST_F (ResultFiles, AreTakenUp)
 {
-  Results first (folder_);
-  first.put (someRow ("PTU7"));
   Row failed = someRow ("PTU15");
   failed.status = "failed";
-  first.put (failed);
-  first.save ();
+  {
+    Results first (folder_);
+    first.put (someRow ("PTU7"));
+    first.put (failed);
+    first.save ();
+  }
   EXPECT_EQ (files (), (std::set<std::string> {"rows.csv", "rows.json"}));
 
   Results second (folder_);
@@ -92,14 +94,28 @@ TEST_F (ResultFiles, AreTakenUp)
 
 TEST_F (ResultFiles, ThatAreDamagedOrFullAreSaidSo)
 {
-  Results results (folder_);
-  results.put (someRow ("PTU7"));
-  std::filesystem::create_symlink ("/dev/full", path ("rows.csv"));
-  EXPECT_THROW (results.save (), tools::FileError);
+  {
+    Results results (folder_);
+    results.put (someRow ("PTU7"));
+    std::filesystem::create_symlink ("/dev/full", path ("rows.csv"));
+    EXPECT_THROW (results.save (), tools::FileError);
+  }
   writeText (path ("rows.json"), "[{\"model\": \"a\"");
   EXPECT_THROW (Results {folder_}, tools::FileError);
   writeText (path ("rows.json"), "[{\"model\": \"a\"}]");
   EXPECT_THROW (Results {folder_}, tools::FileError);
+}
+
+TEST_F (ResultFiles, AreOfOneStudyAtATime)
+{
+  const Results results (folder_);
+  try {
+    Results {folder_};
+    FAIL () << "two studies in one folder";
+  }
+  catch (const tools::FileError& error) {
+    EXPECT_NE (std::string (error.what ()).find ("another study"), std::string::npos) << error.what ();
+  }
 }
 
 TEST_F (ResultFiles, OfOtherModelsOrVersionsAreRefused)
