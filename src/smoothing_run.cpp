@@ -22,15 +22,14 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
   unit_ = cloud_.unit;
   core::Positions nodes = core::gather (cloud_, graph->order (), execution.silent ());
   cloud_ = {}; // the nodes are a copy: keep the peak of memory low
-  displacements_ = nodes.offset;
+  const core::Vectors start = core::startOf (nodes);
   if (normals)
     normals_ = readNormals (*normals, graph->order ());
   core::SmoothingOptions options = options_.inUnit (unit_);
   core::prepareSmoothing (nodes, normals_, execution.silent (), graph_, options);
   core::smooth (graph_, options, research, execution, nodes, normals_);
   options_ = options.inUnit (1 / unit_);
-  for (std::size_t node = 0; node < nodes.size (); ++node)
-    displacements_[node] = nodes.offset[node] - displacements_[node];
+  displacements_ = core::displacements (start, nodes);
 }
 
 void

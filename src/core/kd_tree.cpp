@@ -17,8 +17,7 @@ KdTree::KdTree (const Positions& positions, const std::vector<std::uint32_t>& ra
 {
   while (positions.size () > max_leaf_size * leaf_count_)
     leaf_count_ *= 2;
-  has_offset_ = !std::all_of (positions.offset.begin (), positions.offset.end (),
-                              [] (const auto& v) { return v.x () == 0 && v.y () == 0 && v.z () == 0; });
+  has_offset_ = hasOffsets (positions);
   if (has_offset_)
     chooseOrigin (positions);
 

@@ -74,6 +74,7 @@ sampleResiduals (const NeighborGraph& graph, const Positions& nodes, const Execu
   std::array<std::vector<float>, 3> of_nodes;
   for (auto& variances : of_nodes)
     variances.resize (nodes.size ());
+  const NodeArrays arrays = nodeArrays (nodes, nodes.base);
   const std::size_t block_count = (sample.size () + NeighborGraph::block_size - 1) / NeighborGraph::block_size;
   parallelFor (
       block_count, execution,
@@ -81,8 +82,7 @@ sampleResiduals (const NeighborGraph& graph, const Positions& nodes, const Execu
         for (std::size_t block = begin; block < end; ++block) {
           const auto rows = rowsOf (graph, sample, block * NeighborGraph::block_size);
           for (std::size_t i = 0; i < sizes.size (); ++i)
-            kernels ().residual_variances ({nodeArrays (nodes, nodes.base), of_nodes[i].data ()},
-                                           {rows.data (), sizes[i]});
+            kernels ().residual_variances ({arrays, of_nodes[i].data ()}, {rows.data (), sizes[i]});
         }
       },
       8);

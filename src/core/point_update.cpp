@@ -31,15 +31,6 @@ PointUpdateOptions::inUnit (double unit) const
   return options;
 }
 
-Vectors
-displacements (const Vectors& start, const Positions& nodes)
-{
-  Vectors result (start.size ());
-  for (std::size_t i = 0; i < start.size (); ++i)
-    result[i] = nodes.offset[i] - start[i];
-  return result;
-}
-
 void
 updatePoints (NeighborGraph::ConstPtr graph,
               const Vectors& normals,
@@ -50,10 +41,10 @@ updatePoints (NeighborGraph::ConstPtr graph,
 {
   if (options.iterations == 0 || graph->size () == 0)
     return;
-  const Vectors start = positions.offset;
+  const Vectors start = startOf (positions);
   Vectors moved (graph->size ());
   PointUpdateStep step {};
-  step.start = start.data ()->data ();
+  step.start = start.empty () ? nullptr : start.data ()->data ();
   step.compensated = options.rule == UpdateRule::COMPENSATED;
   step.reach_scale = 1;
   step.normal_factor = 1 / (2 * options.sigma_s * options.sigma_s);

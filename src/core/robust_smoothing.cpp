@@ -81,10 +81,12 @@ public:
   , normals_ (normals)
   , noise_ratio_ (options.noise.spacing > 0 ? options.noise.sigma / options.noise.spacing : 0)
   , schedule_ (chooseSchedule (options, noise_ratio_))
-  , start_ (positions.offset)
-  , reference_ (positions.offset)
+  , start_ (startOf (positions))
   , other_ (graph.size ())
-  , proposed_ (graph.size ())
+  , moved_ (graph.size ())
+  , risks_ (2 * graph.size ())
+  , averaged_ (2 * graph.size ())
+  , weights_ (pairsBegin (graph, graph.blockCount ()))
   {}
 
   void
@@ -98,9 +100,7 @@ public:
       if (noise_ratio_ > filtering_ratio)
         filterFitted ();
       proposeSteps (fine);
-      takeSteps (schedule_.gains[round]);
-      if (round == 0) // from now on the risk is measured from here
-        reference_ = positions_.offset;
+      takeSteps (round);
       execution_.report ((round + 1.0) / options_.rounds);
     }
   }
@@ -111,7 +111,7 @@ private:
   forAllBlocks (const Kernel& kernel, const Arguments& arguments, std::size_t k)
   {
     forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
-      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k), rows.begin});
+      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k), rows.pairs_begin});
     });
   }
 
@@ -136,15 +136,15 @@ private:
   void
   filterFitted ()
   {
-    factors_.resize (graph_.size ());
+    float* distance_factors = risks_.data (); // which are not in use yet
     NormalFilterStep step {};
     step.nodes = nodeArrays (positions_, normals_);
-    step.distance_factor = factors_.data ();
+    step.distance_factor = distance_factors;
     step.weight = static_cast<int> (NormalWeight::GAUSSIAN);
     step.normal_factor = 1 / (2 * .15f * .15f);
     step.oriented = options_.oriented;
     step.filtered = other_.data ()->data ();
-    forAllBlocks (kernels ().distance_factors, NumberOfNodes {step.nodes, factors_.data ()}, k_);
+    forAllBlocks (kernels ().distance_factors, NumberOfNodes {step.nodes, distance_factors}, k_);
     forAllBlocks (kernels ().filter_normals, step, k_);
     normals_.swap (other_);
   }
@@ -162,38 +162,36 @@ private:
     step.residual_factor = residualFactor ();
     step.oriented = options_.oriented;
     step.max_displacement = std::numeric_limits<float>::infinity ();
-    step.moved = proposed_.data ()->data ();
+    step.moved = other_.data ()->data ();
     forAllBlocks (kernels ().update_points, step, k_);
   }
 
   void
-  takeSteps (float gain)
+  takeSteps (int round)
   {
     const auto k = static_cast<std::size_t> (std::min (options_.k, max_k));
-    const bool first = weights_.empty ();
-    weights_.resize (graph_.blockBegin (graph_.blockCount ()));
-    risks_.resize (graph_.size ());
+    const float variance = options_.noise.sigma * options_.noise.sigma;
     StepControl control {};
     control.nodes = nodeArrays (positions_, normals_);
-    control.start = start_.data ()->data ();
-    control.reference = reference_.data ()->data ();
-    control.proposed = proposed_.data ()->data ();
+    control.start = start_.empty () ? nullptr : start_.data ()->data ();
+    control.proposed = control.taken = other_.data ()->data ();
+    control.moved = moved_.data ();
+    control.first_round = round == 0;
     control.oriented = options_.oriented;
     control.weights = weights_.data ();
-    control.gain = 1.5f * options_.noise.sigma * options_.noise.sigma * gain;
+    control.gain = 1.5f * variance * schedule_.gains[round];
     control.max_displacement = options_.max_displacement;
-    control.risks = risks_.data ()->data ();
+    control.risks = risks_.data ();
     forAllBlocks (kernels ().step_risks, control, k);
-    if (first) // normals and positions change little afterwards
+    if (round == 0) // normals and positions change little afterwards
       forAllBlocks (kernels ().averaging_weights, control, k);
     for (int average = 0; average < schedule_.averages; ++average) {
-      control.risks = risks_.data ()->data ();
-      control.averaged = other_.data ()->data ();
+      control.risks = risks_.data ();
+      control.averaged = averaged_.data ();
       forAllBlocks (kernels ().average_risks, control, k);
-      risks_.swap (other_);
+      risks_.swap (averaged_);
     }
-    control.risks = risks_.data ()->data ();
-    control.taken = other_.data ()->data ();
+    control.risks = risks_.data ();
     forAllBlocks (kernels ().take_steps, control, k);
     positions_.offset.swap (other_);
   }
@@ -215,12 +213,11 @@ private:
   float noise_ratio_;
   Schedule schedule_;
   std::size_t k_ = 0;
-  Vectors start_;     // offsets before the first round
-  Vectors reference_; // offsets from which the risk is measured
-  Vectors other_;     // the buffer that the next stage writes
-  Vectors proposed_;
-  Vectors risks_;
-  std::vector<float> factors_;
+  Vectors start_; // as startOf has it
+  Vectors other_; // what the next stage writes: normals, or offsets
+  Numbers moved_; // along the normals since the first round, from where the risk is measured
+  Numbers risks_; // two a node
+  Numbers averaged_;
   std::vector<std::uint8_t> weights_;
 };
 } // namespace

@@ -28,7 +28,7 @@ expectSameBits (const std::vector<float>& actual, const std::vector<float>& expe
         << kernels << ": number " << i << " is " << actual[i] << ", not " << expected[i];
 }
 
-/** Clouds whose last block is full or not, rows of one length or of many, some nodes without a normal. */
+/** Clouds whose last block is full or not, that have moved or not, rows of one length or of many, some nodes without a normal. */
 class KernelsTest : public testing::TestWithParam<std::tuple<int, NeighborQuery>>
 {
 protected:
@@ -38,6 +38,8 @@ protected:
     const Positions cloud = asPositions (withNoise (shape.points, 0.05, 120));
     graph_ = NeighborGraph::build (cloud, std::get<1> (GetParam ()), Execution (1));
     nodes_ = gather (cloud, graph_->order ());
+    if (shape.points.size () % 2 == 1) // else they are all zero, and kernels do without
+      nodes_.offset = withNoise (nodes_.offset, 0.02, 122);
     Vectors normals = withRandomSigns (shape.normals, 121);
     for (std::size_t i = 0; i < normals.size (); i += 11)
       normals[i].setConstant (nan_float);
@@ -155,6 +157,34 @@ TEST_P (KernelsTest, ResidualsAreTheSameForEveryInstructionSet)
     });
     return variances;
   });
+}
+
+TEST_P (KernelsTest, StepsAreTheSameForEveryInstructionSet)
+{
+  for (const bool first_round : {true, false})
+    expectAllTheSame ([&] (const Kernels& kernels) {
+      std::vector<std::uint8_t> weights (pairsBegin (*graph_, graph_->blockCount ()));
+      Numbers moved (nodes_.size (), .01f), risks (2 * nodes_.size ()), averaged (risks.size ());
+      Vectors proposed = nodes_.base; // in place: no lane may meet what another has taken
+      StepControl control {};
+      control.nodes = nodeArrays (nodes_, normals_);
+      control.proposed = control.taken = proposed.data ()->data ();
+      control.moved = moved.data ();
+      control.first_round = first_round;
+      control.weights = weights.data ();
+      control.risks = risks.data ();
+      control.averaged = averaged.data ();
+      control.gain = .3f;
+      control.max_displacement = .4f;
+      for (const auto kernel : {kernels.step_risks, kernels.averaging_weights, kernels.average_risks})
+        forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernel (control, rows); });
+      control.risks = averaged.data ();
+      forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels.take_steps (control, rows); });
+      std::vector<float> result (moved.begin (), moved.end ());
+      for (const auto& offset : proposed)
+        result.insert (result.end (), offset.data (), offset.data () + 3);
+      return result;
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P (Graphs,

@@ -13,14 +13,14 @@ struct BlockRows
 {
   const std::uint32_t* neighbors;
   std::size_t length;
-  std::size_t begin = 0; // of the block among the rows of all: NeighborGraph::blockBegin
+  std::size_t pairs_begin = 0; // of the block where all blocks keep one byte for two neighbours
 };
 
 /** Vectors of three floats of all nodes. */
 struct NodeArrays
 {
   const float* base;
-  const float* offset;
+  const float* offset; // null where all are zero
   const float* normals;
 };
 
@@ -63,7 +63,7 @@ struct NormalFilterStep
 struct PointUpdateStep
 {
   NodeArrays nodes;
-  const float* start; // offsets before the first iteration
+  const float* start; // offsets before the first iteration; null where all are zero
   bool compensated;
   bool robust;           // only compensated: neighbours weigh by their height too
   float reach_scale;     // of 1 / (2 sigma_c^2)
@@ -91,16 +91,17 @@ struct QuadricFitStep
 struct StepControl
 {
   NodeArrays nodes;
-  const float* start;     // offsets before the first round
-  const float* reference; // offsets from which the risk is measured
-  const float* proposed;  // offsets
+  const float* start;    // offsets before the first round; null where all are zero
+  const float* proposed; // offsets
+  float* moved;          // along the normals since the first round
+  bool first_round;
   bool oriented;
-  std::uint8_t* weights; // of all neighbours
-  float* risks;          // a vector a node
+  std::uint8_t* weights; // of all neighbours, from 0 to 15, two a byte
+  float* risks;          // two numbers a node
   float* averaged;       // out of average_risks
   float gain;
   float max_displacement;
-  float* taken; // out of take_steps: offsets
+  float* taken; // out of take_steps: offsets; may be the proposed ones
 };
 
 /** Points that may be neighbours; coordinates as in Positions, arrays readable up to a multiple of 16. */

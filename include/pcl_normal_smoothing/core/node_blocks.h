@@ -8,6 +8,13 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
+/** Where a block begins in an array that has one byte for two neighbours; for block = blockCount () its size. */
+inline std::size_t
+pairsBegin (const NeighborGraph& graph, std::size_t block)
+{
+  return (graph.blockBegin (block) + NeighborGraph::block_size * block) / 2; // an odd neighbour has a byte of its own
+}
+
 /** Calls \a body for all blocks of nodes, from all threads. */
 template <typename Body>
 void
@@ -17,7 +24,7 @@ forEachBlock (const NeighborGraph& graph, const Execution& execution, const Body
       graph.blockCount (), execution,
       [&] (std::size_t begin, std::size_t end) {
         for (std::size_t block = begin; block < end; ++block)
-          body (BlockRows {graph.blockRows (block), graph.blockLength (block), graph.blockBegin (block)});
+          body (BlockRows {graph.blockRows (block), graph.blockLength (block), pairsBegin (graph, block)});
       },
       64);
 }
@@ -25,7 +32,8 @@ forEachBlock (const NeighborGraph& graph, const Execution& execution, const Body
 inline NodeArrays
 nodeArrays (const Positions& positions, const Vectors& normals)
 {
-  return {positions.base.data ()->data (), positions.offset.data ()->data (), normals.data ()->data ()};
+  const float* offset = hasOffsets (positions) ? positions.offset.data ()->data () : nullptr;
+  return {positions.base.data ()->data (), offset, normals.data ()->data ()};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -42,10 +42,6 @@ struct PointUpdateOptions
 void
 check (const PointUpdateOptions& options);
 
-/** How far the nodes have moved since their offsets were \a start. */
-Vectors
-displacements (const Vectors& start, const Positions& nodes);
-
 /** Searches the neighbours of nodes that have moved. */
 using Research = std::function<NeighborGraph::ConstPtr (const Positions&)>;
 

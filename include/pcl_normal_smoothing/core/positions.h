@@ -12,7 +12,7 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Allocates some bytes more: kernels read vectors of three floats four at a time. */
+/** Allocates some bytes more: kernels read vectors of two or three floats four at a time. */
 template <typename T>
 struct PaddedAllocator
 {
@@ -27,7 +27,7 @@ struct PaddedAllocator
   T*
   allocate (std::size_t size)
   {
-    return static_cast<T*> (::operator new (size * sizeof (T) + sizeof (float)));
+    return static_cast<T*> (::operator new (size * sizeof (T) + 2 * sizeof (float)));
   }
 
   void
@@ -50,6 +50,7 @@ struct PaddedAllocator
 };
 
 using Vectors = std::vector<Eigen::Vector3f, PaddedAllocator<Eigen::Vector3f>>;
+using Numbers = std::vector<float, PaddedAllocator<float>>;
 
 /** Summed as FLANN and the kd-tree do: Eigen's squaredNorm rounds otherwise, and near ties would stand in another order. */
 inline float
@@ -92,6 +93,18 @@ struct Positions
     return (base[j] - base[i]) + (offset[j] - offset[i]);
   }
 };
+
+/** Whether an offset is not zero; those of a cloud in float are, until it moves. */
+bool
+hasOffsets (const Positions& positions);
+
+/** The offsets of points that are about to move; empty where all are zero. */
+Vectors
+startOf (const Positions& positions);
+
+/** How far the points have moved since \a start, which startOf told. */
+Vectors
+displacements (const Vectors& start, const Positions& positions);
 
 /** A list of points, every \a stride-th number of an array. */
 class Row

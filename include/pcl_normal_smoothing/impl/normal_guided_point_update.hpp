@@ -22,7 +22,7 @@ NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
     const core::Positions cloud = readPositions (positionsOf (*this->input_), execution.silent ());
     const auto graph = this->obtainGraph (this->filter_name_, cloud, input, execution.part (0, 0.7));
     core::Positions nodes = gather (cloud, graph->order (), execution.silent ());
-    const core::Vectors start = nodes.offset;
+    const core::Vectors start = core::startOf (nodes);
     const core::Research research =
         options_.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();
     core::updatePoints (graph, readNormals (input_normals, graph->order ()), options_.inUnit (nodes.unit), research,

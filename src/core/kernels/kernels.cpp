@@ -19,13 +19,15 @@ namespace
 template <typename Arguments>
 using LanesKernel = void (*) (const Arguments&, const BlockRows&, int);
 
-/** Runs a kernel on all lanes of a block. */
+/** Runs a kernel on all lanes of a block that hold a node of their own: those behind the last node repeat it, and a
+  * kernel that works in place must not meet its own result. */
 template <typename Arguments, LanesKernel<Arguments> kernel>
 void
 onBlock (const Arguments& arguments, const BlockRows& rows)
 {
-  for (int first_lane = 0; first_lane < 16; first_lane += lane_count)
-    kernel (arguments, rows, first_lane);
+  for (int first = 0; first < 16 && (first == 0 || rows.neighbors[first] != rows.neighbors[first - 1]);
+       first += lane_count)
+    kernel (arguments, rows, first);
 }
 
 void

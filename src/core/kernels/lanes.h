@@ -151,10 +151,11 @@ expOfMinus (Lanes x)
 #endif
 
 /** Four numbers from the begin of the vectors \a index[0], index[4] ..., one after the other. */
+template <int dimension>
 LANES_INLINE Lanes
 loadFours (const float* vectors, const std::uint32_t* index)
 {
-  const auto four = [&] (int i) LANES_LAMBDA { return load<Four> (vectors + 3 * std::size_t (index[i])); };
+  const auto four = [&] (int i) LANES_LAMBDA { return load<Four> (vectors + dimension * std::size_t (index[i])); };
 #if defined(__AVX512F__)
   return __builtin_shufflevector (__builtin_shufflevector (four (0), four (4), 0, 1, 2, 3, 4, 5, 6, 7),
                                   __builtin_shufflevector (four (8), four (12), 0, 1, 2, 3, 4, 5, 6, 7), 0, 1, 2, 3, 4,
@@ -171,12 +172,34 @@ loadFours (const float* vectors, const std::uint32_t* index)
 LANES_INLINE Lanes3
 load3 (const float* vectors, const std::uint32_t* index)
 {
-  const Lanes a = loadFours (vectors, index), b = loadFours (vectors, index + 1), c = loadFours (vectors, index + 2),
-              d = loadFours (vectors, index + 3);
+  const Lanes a = loadFours<3> (vectors, index), b = loadFours<3> (vectors, index + 1),
+              c = loadFours<3> (vectors, index + 2), d = loadFours<3> (vectors, index + 3);
   const Lanes xy_ab = LANES_SHUFFLE (a, b, 0, 1, 4, 5), xy_cd = LANES_SHUFFLE (c, d, 0, 1, 4, 5);
   const Lanes z_ab = LANES_SHUFFLE (a, b, 2, 3, 6, 7), z_cd = LANES_SHUFFLE (c, d, 2, 3, 6, 7);
   return {LANES_SHUFFLE (xy_ab, xy_cd, 0, 2, 4, 6), LANES_SHUFFLE (xy_ab, xy_cd, 1, 3, 5, 7),
           LANES_SHUFFLE (z_ab, z_cd, 0, 2, 4, 6)};
+}
+
+/** As above; zeros where there are no vectors. */
+LANES_INLINE Lanes3
+load3OrZero (const float* vectors, const std::uint32_t* index)
+{
+  return vectors != nullptr ? load3 (vectors, index) : Lanes3 {};
+}
+
+struct Lanes2
+{
+  Lanes x, y;
+};
+
+/** The vectors of two floats that \a index names. Reads eight bytes past each. */
+LANES_INLINE Lanes2
+load2 (const float* vectors, const std::uint32_t* index)
+{
+  const Lanes a = loadFours<2> (vectors, index), b = loadFours<2> (vectors, index + 1),
+              c = loadFours<2> (vectors, index + 2), d = loadFours<2> (vectors, index + 3);
+  const Lanes ab = LANES_SHUFFLE (a, b, 0, 1, 4, 5), cd = LANES_SHUFFLE (c, d, 0, 1, 4, 5);
+  return {LANES_SHUFFLE (ab, cd, 0, 2, 4, 6), LANES_SHUFFLE (ab, cd, 1, 3, 5, 7)};
 }
 
 /** The numbers that \a index names. */
@@ -201,6 +224,16 @@ store3 (float* vectors, const std::uint32_t* index, Lanes3 value)
 }
 
 LANES_INLINE void
+store2 (float* vectors, const std::uint32_t* index, Lanes2 value)
+{
+  for (int lane = 0; lane < lane_count; ++lane) {
+    float* to = vectors + 2 * std::size_t (index[lane]);
+    to[0] = value.x[lane];
+    to[1] = value.y[lane];
+  }
+}
+
+LANES_INLINE void
 store1 (float* numbers, const std::uint32_t* index, Lanes value)
 {
   for (int lane = 0; lane < lane_count; ++lane)
@@ -213,13 +246,14 @@ class Points
 public:
   LANES_INLINE
   Points (const float* base, const float* offset, const std::uint32_t* own)
-  : base_ (base), offset_ (offset), own_base_ (load3 (base, own)), own_offset_ (load3 (offset, own))
+  : base_ (base), offset_ (offset), own_base_ (load3 (base, own)), own_offset_ (load3OrZero (offset, own))
   {}
 
   LANES_INLINE Lanes3
   difference (const std::uint32_t* index) const
   {
-    return (load3 (base_, index) - own_base_) + (load3 (offset_, index) - own_offset_);
+    const Lanes3 difference = load3 (base_, index) - own_base_;
+    return offset_ != nullptr ? difference + (load3 (offset_, index) - own_offset_) : difference;
   }
 
 private:

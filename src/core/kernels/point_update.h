@@ -79,8 +79,8 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
     sum.z += counts ? height * normal.z : splat (0);
   }
   const Lanes scale = weights > 0 ? 1 / weights : splat (0);
-  const Lanes3 start = load3 (step.start, own);
-  const Lanes3 displacement = (load3 (step.nodes.offset, own) - start) + scale * sum;
+  const Lanes3 start = load3OrZero (step.start, own);
+  const Lanes3 displacement = (load3OrZero (step.nodes.offset, own) - start) + scale * sum;
   store3 (step.moved, own, start + capped (displacement, step.max_displacement));
 }
 } // namespace PCL_NORMAL_SMOOTHING_ISA

@@ -10,34 +10,38 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** What a proposed step d tells of the risk, along the point's normal: (p - reference).n (d.n), and |d.n|. */
+/** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and
+  * |d.n|. */
 LANES_INLINE void
 stepRisks (const StepControl& control, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const Lanes3 normal = load3 (control.nodes.normals, own), offset = load3 (control.nodes.offset, own);
+  const Lanes3 normal = load3 (control.nodes.normals, own), offset = load3OrZero (control.nodes.offset, own);
   const Lanes step = dot (load3 (control.proposed, own) - offset, normal);
-  const Lanes moved = dot (offset - load3 (control.reference, own), normal);
   const Mask valid = normal.x == normal.x;
-  store3 (control.risks, own, {valid ? moved * step : splat (0), valid ? absolute (step) : splat (0), Lanes {}});
+  const Lanes moved = load1 (control.moved, own);
+  store2 (control.risks, own, {valid ? moved * step : splat (0), valid ? absolute (step) : splat (0)});
 }
 
-/** Weights for averaging over neighbours: near, and with a similar normal; from 0 to 255. */
+/** Weights for averaging over neighbours: near, and with a similar normal; from 0 to 15. */
 LANES_INLINE void
 averagingWeights (const StepControl& control, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  std::uint8_t* weights = control.weights + rows.begin + first;
+  std::uint8_t* weights = control.weights + rows.pairs_begin + first;
   const Lanes3 own_normal = load3 (control.nodes.normals, own);
   const LocalPoints local (control.nodes, rows, own);
-  for (std::size_t j = 0; j < local.count; ++j) {
+  const auto weightOf = [&] (std::size_t j) LANES_LAMBDA {
     Lanes3 normal = load3 (control.nodes.normals, own + 16 * j);
     const Lanes x = 1 - turn (normal, own_normal, control.oriented);
     const Lanes exponent = 0.5f * dot (local.at[j], local.at[j]) + x * 2.0408163f; // |n_i - n_j|^2 / (2 .7^2)
     const Lanes weight = x == x ? local.one[j] * bell (exponent) : splat (0);
-    const Mask rounded = __builtin_convertvector(weight * 255.0f + 0.5f, Mask);
-    const Bytes bytes = __builtin_convertvector(rounded, Bytes);
-    std::memcpy (weights + 16 * j, &bytes, sizeof bytes);
+    return __builtin_convertvector(weight * 15.0f + 0.5f, Mask);
+  };
+  for (std::size_t j = 0; j < local.count; j += 2) {
+    const Mask second = j + 1 < local.count ? weightOf (j + 1) : Mask {};
+    const Bytes pair = __builtin_convertvector(weightOf (j) | (second << 4), Bytes);
+    std::memcpy (weights + 8 * j, &pair, sizeof pair);
   }
 }
 
@@ -46,18 +50,24 @@ LANES_INLINE void
 averageRisks (const StepControl& control, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const std::uint8_t* weights = control.weights + rows.begin + first;
+  const std::uint8_t* weights = control.weights + rows.pairs_begin + first;
   const std::size_t count = rows.length < max_fit_neighbors ? rows.length : max_fit_neighbors;
   Lanes sum_product = {}, sum_size = {}, sum = {};
-  for (std::size_t j = 0; j < count; ++j) {
-    const Lanes weight = __builtin_convertvector(load<Bytes> (weights + 16 * j), Lanes);
-    const Lanes3 risk = load3 (control.risks, own + 16 * j);
+  const auto add = [&] (Mask number, std::size_t j) LANES_LAMBDA {
+    const Lanes weight = __builtin_convertvector(number, Lanes);
+    const Lanes2 risk = load2 (control.risks, own + 16 * j);
     sum += weight;
     sum_product += weight * risk.x;
     sum_size += weight * risk.y;
+  };
+  for (std::size_t j = 0; j < count; j += 2) {
+    const Mask pair = __builtin_convertvector(load<Bytes> (weights + 8 * j), Mask);
+    add (pair & 15, j);
+    if (j + 1 < count)
+      add (pair >> 4, j + 1);
   }
   const Lanes scale = sum > 0 ? 1 / sum : splat (0);
-  store3 (control.averaged, own, {scale * sum_product, scale * sum_size, Lanes {}});
+  store2 (control.averaged, own, {scale * sum_product, scale * sum_size});
 }
 
 /** Takes the share of the proposed step that the risk allows: with a and s the averages of stepRisks, the mean square of
@@ -67,12 +77,17 @@ LANES_INLINE void
 takeSteps (const StepControl& control, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const Lanes3 risk = load3 (control.risks, own), offset = load3 (control.nodes.offset, own);
+  const Lanes3 offset = load3OrZero (control.nodes.offset, own), start = load3OrZero (control.start, own);
+  const Lanes2 risk = load2 (control.risks, own);
   const Lanes q = 1.57079633f * (risk.y * risk.y);
   const Lanes share = q > 0 ? minimum (maximum ((control.gain - risk.x) / q, splat (0)), splat (1)) : splat (0);
-  const Lanes3 start = load3 (control.start, own);
   const Lanes3 step = load3 (control.proposed, own) - offset;
-  store3 (control.taken, own, start + capped ((offset + share * step) - start, control.max_displacement));
+  const Lanes3 taken = start + capped ((offset + share * step) - start, control.max_displacement);
+  store3 (control.taken, own, taken);
+  if (!control.first_round) {
+    const Lanes moved = dot (taken - offset, load3 (control.nodes.normals, own));
+    store1 (control.moved, own, load1 (control.moved, own) + (moved == moved ? moved : splat (0)));
+  }
 }
 } // namespace PCL_NORMAL_SMOOTHING_ISA
 } // namespace core

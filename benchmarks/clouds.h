@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+namespace pcl_normal_smoothing::benchmarks
+{
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+enum class Order
+{
+  RANDOM,
+  ALONG_RINGS // as a scanner that turns sees it
+};
+
+/** A torus of radii 1 and .4, with noise along its normals of .2 mean spacings; the same on every call. */
+Cloud::Ptr
+makeTorus (std::size_t size, Order order);
+
+/** Mean distance of the points to the torus. */
+double
+meanDistance (const Cloud& cloud);
+
+/** Mean distance of the points of such a torus to their neighbours: the side of the square that a point has. */
+double
+spacingOf (std::size_t size);
+} // namespace pcl_normal_smoothing::benchmarks
