@@ -27,7 +27,7 @@ done
 "$root/evaluation/install_peers.sh" || echo "Not every peer could be installed: its row will say so." >&2
 # shellcheck source=scripts/debian_packages.sh
 . "$root/scripts/debian_packages.sh"
-install_packages "libbenchmark-dev|Google Benchmark, for the stages"
+install_packages "libbenchmark-dev|Google Benchmark, for the stages" "python3|the table of the stages"
 "$root/scripts/build.sh" -DBUILD_BENCHMARKS=ON -DBUILD_EVALUATION=ON benchmarks/all evaluation/peers/all
 
 mkdir -p "$out"
@@ -44,5 +44,6 @@ export OMP_WAIT_POLICY=passive
   done
 } | tee memory.md
 "$bin/programs" 25000 | tee programs.md
-"$bin/stages" "${stages[@]}" --benchmark_out=stages.json --benchmark_out_format=json | tee stages.txt
+"$bin/stages" "${stages[@]}" --benchmark_out=stages.json --benchmark_out_format=json >/dev/null
+python3 "$root/benchmarks/stage_table.py" stages.json | tee stages.md
 echo "The tables: $out"

@@ -7,7 +7,10 @@ SmoothingRun::SmoothingRun (const core::SmoothingOptions& options,
                             const VectorView& positions,
                             const pcl::Indices& indices,
                             const core::Execution& execution)
-: options_ (options), selected_ (selectPoints (indices, positions.size)), cloud_ (readPositions (positions, execution))
+: options_ (options)
+, execution_ (execution.silent ())
+, selected_ (selectPoints (indices, positions.size))
+, cloud_ (readPositions (positions, execution_))
 {
   core::check (options);
 }
@@ -24,7 +27,7 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
   cloud_ = {}; // the nodes are a copy: keep the peak of memory low
   const core::Vectors start = core::startOf (nodes);
   if (normals)
-    normals_ = readNormals (*normals, graph->order ());
+    normals_ = readNormals (*normals, graph->order (), execution_);
   core::SmoothingOptions options = options_.inUnit (unit_);
   core::prepareSmoothing (nodes, normals_, execution.silent (), graph_, options);
   core::smooth (graph_, options, research, execution, nodes, normals_);
@@ -35,12 +38,12 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
 void
 SmoothingRun::writePositions (const VectorLayout& layout, std::uint8_t* data) const
 {
-  writeDisplacements (displacements_, unit_, graph_->order (), selected_, layout, data);
+  writeDisplacements (displacements_, unit_, graph_->order (), selected_, layout, data, execution_);
 }
 
 void
 SmoothingRun::writeNormals (const VectorLayout& layout, std::uint8_t* data) const
 {
-  pcl_normal_smoothing::writeNormals (normals_, graph_->order (), selected_, layout, data);
+  pcl_normal_smoothing::writeNormals (normals_, graph_->order (), selected_, layout, data, execution_);
 }
 } // namespace pcl_normal_smoothing

@@ -132,17 +132,18 @@ readPositions (const VectorView& view, double unit, const core::Execution& execu
 }
 
 core::Vectors
-readNormals (const VectorView& view, const std::vector<std::uint32_t>& order)
+readNormals (const VectorView& view, const std::vector<std::uint32_t>& order, const core::Execution& execution)
 {
-  core::Vectors normals;
-  normals.reserve (order.size ());
-  for (const std::uint32_t i : order) {
-    const Eigen::Vector3d normal = view.layout.get (view.data, i);
-    const double length = normal.norm ();
-    const bool valid = std::isfinite (length) && length > 0;
-    normals.push_back (valid ? Eigen::Vector3f ((normal / length).cast<float> ())
-                             : Eigen::Vector3f::Constant (std::numeric_limits<float>::quiet_NaN ()));
-  }
+  core::Vectors normals (order.size ());
+  core::parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node) {
+      const Eigen::Vector3d normal = view.layout.get (view.data, order[node]);
+      const double length = normal.norm ();
+      const bool valid = std::isfinite (length) && length > 0;
+      normals[node] = valid ? Eigen::Vector3f ((normal / length).cast<float> ())
+                            : Eigen::Vector3f::Constant (std::numeric_limits<float>::quiet_NaN ());
+    }
+  });
   return normals;
 }
 
@@ -165,15 +166,19 @@ writeDisplacements (const core::Vectors& displacements,
                     const std::vector<std::uint32_t>& order,
                     const std::vector<bool>& selected,
                     const VectorLayout& layout,
-                    std::uint8_t* data)
+                    std::uint8_t* data,
+                    const core::Execution& execution)
 {
-  for (std::size_t node = 0; node < order.size (); ++node)
-    if (selected[order[node]] && !displacements[node].isZero (0)) {
+  core::parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node) {
+      if (!selected[order[node]] || displacements[node].isZero (0))
+        continue;
       layout.set (data, order[node], layout.get (data, order[node]) + unit * displacements[node].cast<double> ());
       if (!layout.get (data, order[node]).allFinite ())
         throw core::Error ("point " + std::to_string (order[node]) +
                            " would move to where its coordinates can hold no number: give the cloud in another unit");
     }
+  });
 }
 
 void
@@ -181,10 +186,13 @@ writeNormals (const core::Vectors& normals,
               const std::vector<std::uint32_t>& order,
               const std::vector<bool>& selected,
               const VectorLayout& layout,
-              std::uint8_t* data)
+              std::uint8_t* data,
+              const core::Execution& execution)
 {
-  for (std::size_t node = 0; node < order.size (); ++node)
-    if (selected[order[node]] && !std::isnan (normals[node].x ()))
-      layout.set (data, order[node], normals[node].cast<double> ());
+  core::parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
+      if (selected[order[node]] && !std::isnan (normals[node].x ()))
+        layout.set (data, order[node], normals[node].cast<double> ());
+  });
 }
 } // namespace pcl_normal_smoothing

@@ -50,6 +50,7 @@ public:
 
 private:
   core::SmoothingOptions options_;
+  core::Execution execution_; // silent
   std::vector<bool> selected_;
   core::Positions cloud_;
   core::NeighborGraph::ConstPtr graph_;

@@ -124,7 +124,9 @@ readPositions (const VectorView& positions, double unit, const core::Execution& 
 
 /** The normals of the points \a order names, at length 1; NaN where one is not finite or zero. */
 core::Vectors
-readNormals (const VectorView& normals, const std::vector<std::uint32_t>& order);
+readNormals (const VectorView& normals,
+             const std::vector<std::uint32_t>& order,
+             const core::Execution& execution = core::Execution (1));
 
 /** Which of \a size points \a indices names.
   * \throw core::Error where an index is out of range */
@@ -141,7 +143,8 @@ writeDisplacements (const core::Vectors& displacements,
                     const std::vector<std::uint32_t>& order,
                     const std::vector<bool>& selected,
                     const VectorLayout& layout,
-                    std::uint8_t* data);
+                    std::uint8_t* data,
+                    const core::Execution& execution = core::Execution (1));
 
 /** Writes the normals of the nodes to the selected points; where a node has none (NaN) the point keeps its own. */
 void
@@ -149,5 +152,6 @@ writeNormals (const core::Vectors& normals,
               const std::vector<std::uint32_t>& order,
               const std::vector<bool>& selected,
               const VectorLayout& layout,
-              std::uint8_t* data);
+              std::uint8_t* data,
+              const core::Execution& execution = core::Execution (1));
 } // namespace pcl_normal_smoothing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/core/hough.h>
+#include <pcl_normal_smoothing/core/kernels.h>
 
 #include <Eigen/Geometry>
 
@@ -18,6 +19,9 @@ namespace
 {
 constexpr float pi = 3.14159265f;
 
+constexpr std::size_t batch_size = 16; // of core/kernels.h
+
+using RowMajorMatrix = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 using Triple = std::array<std::uint32_t, 3>;
 
 /** SplitMix64 (Steele et al. 2014): a stream of its own for every point, begun from its coordinates. */
@@ -55,12 +59,12 @@ private:
   std::uint64_t state_;
 };
 
-std::vector<Eigen::Matrix3f>
+std::vector<RowMajorMatrix>
 randomRotations (int count, std::uint64_t seed)
 {
   RandomStream random (seed, Eigen::Vector3f::Zero ());
   const auto symmetric = [&] { return static_cast<float> (random.next () >> 40) / (1u << 23) - 1.0f; };
-  std::vector<Eigen::Matrix3f> rotations;
+  std::vector<RowMajorMatrix> rotations;
   while (rotations.size () < static_cast<std::size_t> (count)) {
     // A point of the unit ball in four dimensions is a uniform rotation once it is normalised.
     const float w = symmetric (), x = symmetric (), y = symmetric (), z = symmetric ();
@@ -78,20 +82,6 @@ check (bool valid, const std::string& what, Number value, const std::string& ran
   if (!valid)
     throw Error ("the " + what + " of the Hough normal estimation is " + std::to_string (value) + ": give a number " +
                  range);
-}
-
-/** The angle of (x, y) as a share of a full turn, [0, 1), within 0.001: enough to find a bin, the same everywhere. */
-float
-turnOf (float x, float y)
-{
-  const float ax = std::abs (x), ay = std::abs (y);
-  if (ax + ay == 0)
-    return 0;
-  const float a = std::min (ax, ay) / std::max (ax, ay);
-  float octant = (a * (pi / 4) + 0.273f * a * (1 - a)) / (2 * pi);
-  octant = ay > ax ? 0.25f - octant : octant;
-  octant = x < 0 ? 0.5f - octant : octant;
-  return y < 0 && octant > 0 ? 1 - octant : octant;
 }
 } // namespace
 
@@ -152,16 +142,44 @@ HoughEstimator::HoughEstimator (const HoughOptions& options) : options_ (options
   std::size_t bins = 0;
   for (int band = 0; static_cast<float> (band) * height < pi / 2; ++band) {
     const float angle = static_cast<float> (band) * height;
-    band_begin_.push_back (bins);
+    band_begin_.push_back (static_cast<float> (bins));
     band_cosine_.push_back (std::cos (angle + height / 2));
     bins += std::max<std::size_t> (1, std::lround (2 * static_cast<float> (options.bands) * std::sin (angle)));
   }
-  band_begin_.push_back (bins);
+  band_begin_.push_back (static_cast<float> (bins));
   const double triples = std::log (2 * static_cast<double> (bins) / (1 - options.confidence)) /
                          (2 * options.tolerance * options.tolerance);
   max_triples_ = static_cast<std::size_t> (std::ceil (triples));
   rotations_ = randomRotations (options.rotations, options.seed);
 }
+
+/** Who leads, and by how much. */
+struct HoughEstimator::Ballot
+{
+  std::size_t best = 0;
+  std::uint32_t second_votes = 0;
+
+  void
+  cast (std::vector<Bin>& bins, std::size_t index, const Eigen::Vector3f& normal)
+  {
+    bins[index].sum += normal;
+    const std::uint32_t votes = ++bins[index].votes;
+    if (index != best && votes > bins[best].votes) {
+      second_votes = bins[best].votes;
+      best = index;
+    }
+    else if (index != best)
+      second_votes = std::max (second_votes, votes);
+  }
+
+  /** The confidence intervals of the first two bins do not meet: their shares differ by 2 sqrt (1 / T). */
+  bool
+  isDecided (const std::vector<Bin>& bins, std::size_t drawn) const
+  {
+    const std::size_t lead = bins[best].votes - second_votes;
+    return drawn > 0 && lead * lead >= 4 * drawn;
+  }
+};
 
 LocalSurface
 HoughEstimator::estimate (const Neighborhood& neighborhood) const
@@ -182,7 +200,7 @@ HoughEstimator::estimate (const Neighborhood& neighborhood) const
                         RandomStream (options_.seed, neighborhood.base ()));
   std::vector<Bin> bins (binCount ());
   Eigen::Vector3f sum (0, 0, 0);
-  for (const Eigen::Matrix3f& rotation : rotations_) {
+  for (const RowMajorMatrix& rotation : rotations_) {
     const Eigen::Vector3f winner = vote (rotation, points, triples, bins);
     sum += winner.dot (sum) < 0 ? Eigen::Vector3f (-winner) : winner;
   }
@@ -191,48 +209,38 @@ HoughEstimator::estimate (const Neighborhood& neighborhood) const
 }
 
 Eigen::Vector3f
-HoughEstimator::vote (const Eigen::Matrix3f& rotation,
+HoughEstimator::vote (const RowMajorMatrix& rotation,
                       const Vectors& points,
                       TripleSource& triples,
                       std::vector<Bin>& bins) const
 {
   std::fill (bins.begin (), bins.end (), Bin ());
   const std::size_t limit = triples.limit ((max_triples_ - 1) / rotations_.size () + 1);
-  std::size_t best = 0;
-  std::uint32_t second_votes = 0;
-  for (std::size_t drawn = 1; drawn <= limit; ++drawn) {
-    const Triple t = triples.next ();
-    Eigen::Vector3f normal = rotation * (points[t[1]] - points[t[0]]).cross (points[t[2]] - points[t[0]]);
-    const float length = normal.norm ();
-    if (!(length > 0))
-      continue;
-    normal /= normal.z () < 0 ? -length : length;
-    const std::size_t index = binOf (normal);
-    bins[index].sum += normal;
-    const std::uint32_t votes = ++bins[index].votes;
-    if (index != best && votes > bins[best].votes) {
-      second_votes = bins[best].votes;
-      best = index;
+  Ballot ballot;
+  std::uint32_t drawn_triples[3][batch_size];
+  float normals[3][batch_size];
+  std::int32_t bin_numbers[batch_size];
+  const PlaneVotes votes {points.data ()->data (),
+                          drawn_triples,
+                          reinterpret_cast<const float (*)[3]> (rotation.data ()),
+                          band_cosine_.data (),
+                          band_begin_.data (),
+                          static_cast<std::uint32_t> (band_cosine_.size ()),
+                          normals,
+                          bin_numbers};
+  for (std::size_t drawn = 0; drawn < limit && !ballot.isDecided (bins, drawn); drawn += batch_size) {
+    const std::size_t size = std::min (batch_size, limit - drawn);
+    for (std::size_t i = 0; i < batch_size; ++i) {
+      const Triple triple = i < size ? triples.next () : Triple {};
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        drawn_triples[corner][i] = triple[corner];
     }
-    else if (index != best)
-      second_votes = std::max (second_votes, votes);
-    // The confidence intervals of the two bins do not meet: shares differ by 2 sqrt (1 / T).
-    const std::size_t lead = bins[best].votes - second_votes;
-    if (lead * lead >= 4 * drawn)
-      break;
+    kernels ().vote_planes (votes);
+    for (std::size_t i = 0; i < size; ++i)
+      if (bin_numbers[i] >= 0)
+        ballot.cast (bins, static_cast<std::size_t> (bin_numbers[i]), {normals[0][i], normals[1][i], normals[2][i]});
   }
-  return rotation.transpose () * bins[best].sum.normalized ();
-}
-
-std::size_t
-HoughEstimator::binOf (const Eigen::Vector3f& direction) const
-{
-  std::size_t band = 0;
-  while (band + 1 < band_cosine_.size () && direction.z () < band_cosine_[band])
-    ++band;
-  const std::size_t count = band_begin_[band + 1] - band_begin_[band];
-  const auto column = static_cast<std::size_t> (turnOf (direction.x (), direction.y ()) * static_cast<float> (count));
-  return band_begin_[band] + std::min (column, count - 1);
+  return rotation.transpose () * bins[ballot.best].sum.normalized ();
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

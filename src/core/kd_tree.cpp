@@ -28,8 +28,11 @@ KdTree::KdTree (const Positions& positions, const std::vector<std::uint32_t>& ra
   });
   split (points, execution);
   order_.resize (points.size ());
-  for (std::size_t slot = 0; slot < points.size (); ++slot)
-    order_[slot] = points[slot].element;
+  parallelFor (points.size (), execution.part (0, 0), [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+      order_[slot] = points[slot].element;
+  });
+  points = {}; // keep the peak of memory low
   fillSlots (positions, rank, execution);
 }
 

@@ -211,15 +211,6 @@ KdTree::rankRow (std::size_t found, std::uint32_t excluded, std::size_t count, S
   return true;
 }
 
-float
-KdTree::sqDistance (const Box& a, const Box& b) const
-{
-  float sum = 0;
-  for (int d = 0; d < 3; ++d)
-    sum += square (std::max (std::max (a.low[d] - b.high[d], b.low[d] - a.high[d]) - (a.slack + b.slack), 0.0f));
-  return sum;
-}
-
 KdTree::Box
 KdTree::pointBox (const CandidateQuery& point) const
 {

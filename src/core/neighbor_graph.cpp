@@ -4,6 +4,7 @@
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -26,13 +27,23 @@ gather (const Positions& positions, const std::vector<std::uint32_t>& order, con
 }
 
 std::vector<std::uint32_t>
-finiteElements (const Positions& positions)
+finiteElements (const Positions& positions, const Execution& execution)
 {
-  std::vector<std::uint32_t> finite;
-  finite.reserve (positions.size ());
-  for (std::uint32_t i = 0; i < positions.size (); ++i)
-    if (positions.base[i].allFinite () && positions.offset[i].allFinite ())
-      finite.push_back (i);
+  const auto isFinite = [&] (std::size_t i) {
+    return positions.base[i].allFinite () && positions.offset[i].allFinite ();
+  };
+  std::vector<std::uint32_t> finite (positions.size ());
+  std::atomic<bool> all_finite {true};
+  parallelFor (finite.size (), execution, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      finite[i] = static_cast<std::uint32_t> (i);
+      if (!isFinite (i))
+        all_finite = false;
+    }
+  });
+  if (!all_finite)
+    finite.erase (std::remove_if (finite.begin (), finite.end (), [&] (std::uint32_t i) { return !isFinite (i); }),
+                  finite.end ());
   return finite;
 }
 
@@ -179,13 +190,15 @@ NeighborGraph::build (const Positions& cloud, const NeighborQuery& query, const 
 {
   auto graph = std::make_shared<NeighborGraph> ();
   graph->cloud_size_ = cloud.size ();
-  graph->order_ = finiteElements (cloud);
+  graph->order_ = finiteElements (cloud, execution.silent ());
   if (graph->order_.empty ())
     return graph;
   const KdTree tree (gather (cloud, graph->order_, execution.silent ()), graph->order_, execution);
   std::vector<std::uint32_t> order (graph->size ());
-  std::transform (tree.order ().begin (), tree.order ().end (), order.begin (),
-                  [&] (std::uint32_t element) { return graph->order_[element]; });
+  parallelFor (order.size (), execution.silent (), [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+      order[slot] = graph->order_[tree.order ()[slot]];
+  });
   graph->order_ = std::move (order);
 
   Rows rows (*graph, rowLength (query, graph->size ()));

@@ -83,7 +83,7 @@ public:
   , schedule_ (chooseSchedule (options, noise_ratio_))
   , start_ (startOf (positions))
   , other_ (graph.size ())
-  , moved_ (graph.size ())
+  , moved_ (graph.size (), 0.0f)
   , risks_ (2 * graph.size ())
   , averaged_ (2 * graph.size ())
   , weights_ (pairsBegin (graph, graph.blockCount ()))
@@ -218,7 +218,7 @@ private:
   Numbers moved_; // along the normals since the first round, from where the risk is measured
   Numbers risks_; // two a node
   Numbers averaged_;
-  std::vector<std::uint8_t> weights_;
+  std::vector<std::uint8_t, PaddedAllocator<std::uint8_t>> weights_;
 };
 } // namespace
 

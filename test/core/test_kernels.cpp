@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -185,6 +186,27 @@ TEST_P (KernelsTest, StepsAreTheSameForEveryInstructionSet)
         result.insert (result.end (), offset.data (), offset.data () + 3);
       return result;
     });
+}
+
+TEST_P (KernelsTest, VotesOfPlanesAreTheSameForEveryInstructionSet)
+{
+  expectAllTheSame ([this] (const Kernels& kernels) {
+    const float rotation[3][3] = {{0.36f, 0.48f, -0.8f}, {-0.8f, 0.6f, 0}, {0.48f, 0.64f, 0.6f}};
+    const float band_cosine[] = {0.9f, 0.5f, 0}, band_begin[] = {0, 1, 7, 17};
+    std::uint32_t triples[3][16];
+    for (std::uint32_t i = 0; i < 16; ++i) // the last is of two points alone
+      for (std::uint32_t corner = 0; corner < 3; ++corner)
+        triples[corner][i] = i == 15 ? corner % 2 : static_cast<std::uint32_t> ((7 * i + 5 * corner) % nodes_.size ());
+    float normals[3][16];
+    std::int32_t bins[16];
+    kernels.vote_planes ({nodes_.base.data ()->data (), triples, rotation, band_cosine, band_begin, 3, normals, bins});
+    EXPECT_EQ (bins[15], -1);
+    EXPECT_LT (*std::max_element (bins, bins + 16), 17);
+    std::vector<float> result (bins, bins + 16);
+    for (const auto& coordinates : normals)
+      result.insert (result.end (), coordinates, coordinates + 16);
+    return result;
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P (Graphs,

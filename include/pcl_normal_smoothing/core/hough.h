@@ -38,7 +38,7 @@ public:
   std::size_t
   binCount () const
   {
-    return band_begin_.back ();
+    return static_cast<std::size_t> (band_begin_.back ());
   }
 
   /** T: the most triples that are drawn for a point. */
@@ -55,21 +55,20 @@ private:
     std::uint32_t votes = 0;
   };
   class TripleSource;
+  struct Ballot;
 
-  /** Lets the triples vote in one accumulator, until the winner is clear or all that it may have are drawn.
+  using RowMajorMatrix = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
+
+  /** Lets the triples vote in one accumulator, 16 at a time, until the winner is clear or all that it may have are drawn.
     * \return the mean normal of the winning bin; zero where no triple spans a plane */
   Eigen::Vector3f
-  vote (const Eigen::Matrix3f& rotation, const Vectors& points, TripleSource& triples, std::vector<Bin>& bins) const;
-
-  /** \param[in] direction of length 1, z >= 0 */
-  std::size_t
-  binOf (const Eigen::Vector3f& direction) const;
+  vote (const RowMajorMatrix& rotation, const Vectors& points, TripleSource& triples, std::vector<Bin>& bins) const;
 
   HoughOptions options_;
-  std::vector<std::size_t> band_begin_; // first bin of every band, then M
-  std::vector<float> band_cosine_;      // of the angle from the pole at which every band ends
+  std::vector<float> band_begin_;  // first bin of every band, then M
+  std::vector<float> band_cosine_; // of the angle from the pole at which every band ends
   std::size_t max_triples_ = 0;
-  std::vector<Eigen::Matrix3f> rotations_;
+  std::vector<RowMajorMatrix> rotations_;
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -6,6 +6,7 @@
 #include <pcl_normal_smoothing/core/parallel_for.h>
 #include <pcl_normal_smoothing/core/positions.h>
 
+#include <algorithm>
 #include <array>
 
 namespace pcl_normal_smoothing
@@ -108,8 +109,16 @@ private:
   rankRow (std::size_t found, std::uint32_t excluded, std::size_t count, Scratch& scratch) const;
 
   /** A lower bound of the squared distances between what two boxes hold. */
-  float
-  sqDistance (const Box& a, const Box& b) const;
+  static float
+  sqDistance (const Box& a, const Box& b)
+  {
+    float sum = 0;
+    for (int d = 0; d < 3; ++d) {
+      const float gap = std::max (a.low[d] - b.high[d], b.low[d] - a.high[d]) - (a.slack + b.slack);
+      sum += gap > 0 ? gap * gap : 0;
+    }
+    return sum;
+  }
 
   /** With its slack. */
   Box

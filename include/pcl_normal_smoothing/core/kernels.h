@@ -104,6 +104,19 @@ struct StepControl
   float* taken; // out of take_steps: offsets; may be the proposed ones
 };
 
+/** Lets 16 triples of points vote for the normals of their planes: see core/hough.h. */
+struct PlaneVotes
+{
+  const float* points;                // vectors of three floats
+  const std::uint32_t (*triples)[16]; // the first points, the second ones, the third ones
+  const float (*rotation)[3];
+  const float* band_cosine; // of the angle from the pole at which every band ends
+  const float* band_begin;  // first bin of every band, then the number of bins
+  std::uint32_t bands;
+  float (*normals)[16]; // out: x, y, z
+  std::int32_t* bins;   // out; -1 where three points span no plane
+};
+
 /** Points that may be neighbours; coordinates as in Positions, arrays readable up to a multiple of 16. */
 struct Candidates
 {
@@ -135,6 +148,7 @@ struct Kernels
   void (*averaging_weights) (const StepControl& control, const BlockRows& rows);
   void (*average_risks) (const StepControl& control, const BlockRows& rows);
   void (*take_steps) (const StepControl& control, const BlockRows& rows);
+  void (*vote_planes) (const PlaneVotes& votes);
   /** The candidates within the bound: their numbers and squared distances. Both outputs have room for candidates.count
     * and 16 more. */
   std::size_t (*select_near) (const Candidates& candidates,

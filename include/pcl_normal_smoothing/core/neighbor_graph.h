@@ -116,7 +116,7 @@ public:
 private:
   class Rows;
 
-  using Neighbors = std::vector<std::uint32_t>;
+  using Neighbors = std::vector<std::uint32_t, PaddedAllocator<std::uint32_t>>;
 
   std::vector<std::uint32_t> order_;
   std::vector<std::shared_ptr<Neighbors>> neighbors_; // kept alive: those of all blocks, then changed ones
@@ -133,6 +133,6 @@ gather (const Positions& positions,
 
 /** Numbers of the positions whose three coordinates are finite. */
 std::vector<std::uint32_t>
-finiteElements (const Positions& positions);
+finiteElements (const Positions& positions, const Execution& execution = Execution (1));
 } // namespace core
 } // namespace pcl_normal_smoothing

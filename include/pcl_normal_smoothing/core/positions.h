@@ -6,13 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Allocates some bytes more: kernels read vectors of two or three floats four at a time. */
+/** Allocates some bytes more: kernels read vectors of two or three floats four at a time. vector (n) holds no zeros. */
 template <typename T>
 struct PaddedAllocator
 {
@@ -28,6 +29,21 @@ struct PaddedAllocator
   allocate (std::size_t size)
   {
     return static_cast<T*> (::operator new (size * sizeof (T) + 2 * sizeof (float)));
+  }
+
+  /** Leaves numbers undefined where no value is given: the threads that write them first get the pages to themselves. */
+  template <typename U>
+  void
+  construct (U* place)
+  {
+    ::new (static_cast<void*> (place)) U;
+  }
+
+  template <typename U, typename... Values>
+  void
+  construct (U* place, Values&&... values)
+  {
+    ::new (static_cast<void*> (place)) U (std::forward<Values> (values)...);
   }
 
   void

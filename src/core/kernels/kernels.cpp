@@ -4,6 +4,7 @@
 #include "nearest.h"
 #include "normal_filter.h"
 #include "normal_vote.h"
+#include "plane_votes.h"
 #include "point_update.h"
 #include "quadric_fit.h"
 #include "step_control.h"
@@ -52,6 +53,13 @@ updatePointsOfBlock (const PointUpdateStep& step, const BlockRows& rows)
     onBlock<PointUpdateStep, updatePoints<false, false>> (step, rows);
 }
 
+void
+voteAllPlanes (const PlaneVotes& votes)
+{
+  for (int first = 0; first < 16; first += lane_count)
+    votePlanes (votes, first);
+}
+
 std::size_t
 selectNearCandidates (const Candidates& candidates,
                       const CandidateQuery& query,
@@ -84,6 +92,7 @@ const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA),
                        onBlock<StepControl, averagingWeights>,
                        onBlock<StepControl, averageRisks>,
                        onBlock<StepControl, takeSteps>,
+                       voteAllPlanes,
                        selectNearCandidates,
                        rankAllKeys};
 } // namespace PCL_NORMAL_SMOOTHING_ISA
