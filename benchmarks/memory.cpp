@@ -16,8 +16,9 @@ int
 main (int argc, char** argv)
 {
   using namespace pcl_normal_smoothing;
-  const std::map<std::string, SmoothingPreset> presets {
-      {"default", SmoothingPreset::DEFAULT}, {"fast", SmoothingPreset::FAST}, {"paper", SmoothingPreset::PAPER}};
+  const std::map<std::string, SmoothingPreset> presets {{"default", SmoothingPreset::DEFAULT},
+                                                        {"fast", SmoothingPreset::FAST},
+                                                        {"paper", SmoothingPreset::PAPER}};
   const std::string name = argc > 1 ? argv[1] : "default";
   if (presets.count (name) == 0) {
     std::fputs ("usage: memory default|fast|paper [k] [points]\n", stderr);

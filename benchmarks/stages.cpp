@@ -68,23 +68,15 @@ count (benchmark::State& state, int passes = 1)
   state.counters["ns/edge/core"] = per (edges / static_cast<double> (state.range (2)));
 }
 
+template <Order order>
 void
-graphInRandomOrder (benchmark::State& state)
+buildGraph (benchmark::State& state)
 {
-  const Input& input = inputOf (state);
+  const Input& input = inputOf (state, order);
+  const core::NeighborQuery query {static_cast<std::uint32_t> (state.range (1))};
   for (auto _ : state)
-    benchmark::DoNotOptimize (core::NeighborGraph::build (
-        input.positions, {static_cast<std::uint32_t> (state.range (1))}, core::Execution (threadsOf (state))));
-  count (state);
-}
-
-void
-graphInScanOrder (benchmark::State& state)
-{
-  const Input& input = inputOf (state, Order::ALONG_RINGS);
-  for (auto _ : state)
-    benchmark::DoNotOptimize (core::NeighborGraph::build (
-        input.positions, {static_cast<std::uint32_t> (state.range (1))}, core::Execution (threadsOf (state))));
+    benchmark::DoNotOptimize (
+        core::NeighborGraph::build (input.positions, query, core::Execution (threadsOf (state))));
   count (state);
 }
 
@@ -93,10 +85,11 @@ void
 kdTreeOfPcl (benchmark::State& state)
 {
   const Input& input = inputOf (state);
+  const int threads = static_cast<int> (state.range (2));
   for (auto _ : state) {
     pcl::search::KdTree<pcl::PointXYZ> tree;
     tree.setInputCloud (input.cloud);
-#pragma omp parallel num_threads(static_cast<int> (state.range (2)))
+#pragma omp parallel num_threads(threads)
     {
       pcl::Indices indices;
       std::vector<float> sq_dists;
@@ -202,8 +195,9 @@ memoryBandwidth (benchmark::State& state)
 {
   const auto size = static_cast<std::ptrdiff_t> (state.range (0)) * 16;
   std::vector<float> a (static_cast<std::size_t> (size), 1), b (a), c (a);
+  const int threads = static_cast<int> (state.range (2));
   for (auto _ : state) {
-#pragma omp parallel for num_threads(static_cast<int> (state.range (2)))
+#pragma omp parallel for num_threads(threads)
     for (std::ptrdiff_t i = 0; i < size; ++i)
       c[static_cast<std::size_t> (i)] = a[static_cast<std::size_t> (i)] + .5f * b[static_cast<std::size_t> (i)];
     benchmark::ClobberMemory ();
@@ -244,8 +238,8 @@ oneSize (benchmark::internal::Benchmark* benchmark)
     benchmark->Args ({1000000, 16, threads});
 }
 
-BENCHMARK (graphInRandomOrder)->Apply (manySizes);
-BENCHMARK (graphInScanOrder)->Apply (manySizes);
+BENCHMARK (buildGraph<Order::RANDOM>)->Apply (manySizes);
+BENCHMARK (buildGraph<Order::ALONG_RINGS>)->Apply (manySizes);
 BENCHMARK (kdTreeOfPcl)->Apply (manySizes);
 BENCHMARK (startNormals)->Apply (oneSize);
 BENCHMARK (estimateNormals<NormalSource::PCA>)->Apply (oneSize);

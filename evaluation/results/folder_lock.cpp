@@ -11,7 +11,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-FolderLock::FolderLock (const std::string& folder) : folder_ (open (folder.c_str (), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+FolderLock::FolderLock (const std::string& folder)
+: folder_ (open (folder.c_str (), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
 {
   if (folder_ < 0)
     throw tools::FileError (folder, "cannot be opened", "give a folder that can be read");

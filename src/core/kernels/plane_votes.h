@@ -47,8 +47,10 @@ votePlanes (const PlaneVotes& votes, int first)
   const Lanes3 p = load3 (votes.points, votes.triples[1] + first) - a;
   const Lanes3 q = load3 (votes.points, votes.triples[2] + first) - a;
   const Lanes3 cross = {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-  const float(*r)[3] = votes.rotation;
-  const auto rotated = [&] (int row) LANES_LAMBDA { return r[row][0] * cross.x + r[row][1] * cross.y + r[row][2] * cross.z; };
+  const auto rotated = [&] (int row) LANES_LAMBDA {
+    const float* axis = votes.rotation[row];
+    return axis[0] * cross.x + axis[1] * cross.y + axis[2] * cross.z;
+  };
   const Lanes3 normal = {rotated (0), rotated (1), rotated (2)};
   const Lanes length = squareRoot (dot (normal, normal));
   const Mask plane = length > 0;
