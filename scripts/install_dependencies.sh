@@ -13,6 +13,7 @@ install_packages \
   "libpcl-dev|the Point Cloud Library, 1.12 or newer, with Eigen, FLANN, Boost and VTK" \
   "libcgal-dev|CGAL, which reads meshes in the tools" \
   "nlohmann-json3-dev|the reports of the tools" \
+  "libxxhash-dev|checksums of tiles" \
   "doxygen|the reference of the classes, and its test" \
   "help2man|man pages, and their test" \
   "libgtest-dev|GoogleTest, for the tests"

@@ -70,18 +70,10 @@ VectorLayout::set (std::uint8_t* data, std::size_t i, const Eigen::Vector3d& val
 
 namespace
 {
-/** At least half of the points lie within this distance of the middle one, along each axis: a few far off do not count. Of
-  * some hundreds of points. */
+/** At least half of the points lie within this distance of the middle one, along each axis: a few far off do not count. */
 double
-typicalExtent (const VectorView& view)
+typicalExtent (const std::vector<Eigen::Vector3d>& sample)
 {
-  constexpr std::size_t sample_size = 1000, prime = 2654435761; // visits every point of a smaller cloud once
-  std::vector<Eigen::Vector3d> sample;
-  for (std::size_t i = 0; i < std::min (view.size, sample_size); ++i) {
-    const Eigen::Vector3d point = view.layout.get (view.data, i * prime % view.size);
-    if (point.allFinite ())
-      sample.push_back (point);
-  }
   if (sample.empty ())
     return 0;
   const auto middleOf = [] (std::vector<double>& numbers) {
@@ -102,11 +94,33 @@ typicalExtent (const VectorView& view)
 }
 } // namespace
 
+std::vector<std::uint64_t>
+unitSample (std::uint64_t size)
+{
+  constexpr std::uint64_t sample_size = 1000, prime = 2654435761; // visits every point of a smaller cloud once
+  std::vector<std::uint64_t> sample;
+  for (std::uint64_t i = 0; i < std::min (size, sample_size); ++i)
+    sample.push_back (i * prime % size);
+  return sample;
+}
+
 double
 unitOf (const VectorView& positions)
 {
+  std::vector<Eigen::Vector3d> sample;
+  for (const std::uint64_t i : unitSample (positions.size)) {
+    const Eigen::Vector3d point = positions.layout.get (positions.data, i);
+    if (point.allFinite ())
+      sample.push_back (point);
+  }
+  return unitOf (sample);
+}
+
+double
+unitOf (const std::vector<Eigen::Vector3d>& sample)
+{
   constexpr int no_need = 20, most = 1000;
-  const double extent = typicalExtent (positions);
+  const double extent = typicalExtent (sample);
   const int exponent = std::isinf (extent) ? most : extent > 0 ? std::clamp (std::ilogb (extent), -most, most) : 0;
   return std::abs (exponent) <= no_need ? 1 : std::ldexp (1.0, exponent);
 }

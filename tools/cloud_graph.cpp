@@ -15,15 +15,22 @@ namespace tools
 const char* const normals_advice =
     "estimate them first, with pcl_wpca_normal_estimation or pcl_hough_normal_estimation";
 
-VectorView
-positionsOf (const CloudFile& file)
+VectorLayout
+positionLayoutOf (const CloudFile& file)
 {
   const auto layout = VectorLayout::find (*file.cloud, {"x", "y", "z"});
   if (!layout)
     throw core::Error ("the cloud has no fields x, y, z that are all float or all double: give a cloud of points");
+  return *layout;
+}
+
+VectorView
+positionsOf (const CloudFile& file)
+{
+  const VectorLayout layout = positionLayoutOf (file);
   if (file.size () == 0)
     throw core::Error ("the cloud is empty: give one that samples a surface");
-  return {*layout, file.cloud->data.data (), file.size ()};
+  return {layout, file.cloud->data.data (), file.size ()};
 }
 
 VectorLayout

@@ -21,6 +21,10 @@ struct CloudGraph
 VectorView
 positionsOf (const CloudFile& file);
 
+/** Where the fields x y z are. \throw core::Error where there are none that are all float or all double */
+VectorLayout
+positionLayoutOf (const CloudFile& file);
+
 /** The fields normal_x normal_y normal_z.
   * \param[in] advice what to do where there are none that are all float or all double \throw core::Error then */
 VectorLayout

@@ -105,9 +105,9 @@ loadMesh (const std::string& path)
     throw FileError (path, "is no mesh by its extension", advice);
   try {
     const std::string bytes = readFile (path);
-    std::string_view text = bytes;
+    ByteStream stream ((std::string_view (bytes)));
     if (extension == ".ply") // CGAL goes through as many elements as the header claims, there or not
-      readPlyHeader (text);
+      readPlyHeader (stream);
     std::vector<Point> points;
     std::vector<Polygon> polygons;
     if (!readSoup (path, bytes.size (), points, polygons))

@@ -235,6 +235,23 @@ FormatOption::addTo (Options& options)
                choiceOption<FileFormat> (formats, [this] (auto chosen) { format = chosen; }));
 }
 
+void
+addMethodOptions (Options& options,
+                  SmoothingSettings& settings,
+                  SearchOptions& search,
+                  const std::function<void (bool)>& save_normals)
+{
+  addPresetOptions (options, settings);
+  search.addTo (options, presetStandardK ());
+  addFilterOptions (options, presetStandard, settings);
+  addUpdateOptions (options, presetStandard, settings);
+  addNoiseOptions (options, settings);
+  addOrientedOption (options, settings);
+  options.add ("-save_normals", "0|1", "1: write the normals that the points fit to normal_x normal_y normal_z", "0",
+               switchOption (save_normals));
+  addSeedOption (options, "0", [&settings] (std::uint64_t seed) { settings.setSeed (seed); });
+}
+
 std::string
 asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const SearchOptions& search, int preset_k)
 {

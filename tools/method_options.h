@@ -91,6 +91,13 @@ struct FormatOption
   addTo (Options& options);
 };
 
+/** All options of the method. \param[in] save_normals told -save_normals */
+void
+addMethodOptions (Options& options,
+                  SmoothingSettings& settings,
+                  SearchOptions& search,
+                  const std::function<void (bool)>& save_normals);
+
 /** The parameters that a smoothing used, in one line, as options that give the same smoothing again. */
 std::string
 asOptions (SmoothingPreset preset, const core::SmoothingOptions& used, const SearchOptions& search, int preset_k);

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <csignal>
@@ -28,6 +29,22 @@ constexpr std::size_t buffer_size = 1u << 20;
 // What a signal handler may look at.
 char temporary_path[PATH_MAX];
 volatile std::sig_atomic_t has_temporary = 0;
+
+struct Removed
+{
+  std::string path;
+  Removed* before;
+};
+
+std::atomic<Removed*> removed {nullptr};
+
+void
+removeOwnTemporary () noexcept
+{
+  if (has_temporary)
+    unlink (temporary_path);
+  has_temporary = 0;
+}
 
 /** Holds signals back, so that a temporary file and the note of its name come and go together. */
 class SignalPause
@@ -133,7 +150,7 @@ OutputFile::~OutputFile ()
 {
   if (descriptor_ >= 0)
     close (descriptor_);
-  removeTemporaryFile ();
+  removeOwnTemporary ();
 }
 
 void
@@ -186,11 +203,24 @@ OutputFile::fail (const std::string& action)
 }
 
 void
+removeOnInterruption (const std::string& path)
+{
+  removed = new Removed {path, removed}; // stays: a signal may come at any time
+}
+
+void
+keepOnInterruption () noexcept
+{
+  removed = nullptr;
+}
+
+void
 removeTemporaryFile () noexcept
 {
-  if (has_temporary)
-    unlink (temporary_path);
-  has_temporary = 0;
+  removeOwnTemporary ();
+  for (const Removed* file = removed.exchange (nullptr); file; file = file->before)
+    if (unlink (file->path.c_str ()) != 0)
+      rmdir (file->path.c_str ());
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -51,7 +51,16 @@ private:
 void
 checkWritable (const std::string& path);
 
-/** Removes the temporary file of the OutputFile at work. Safe in a signal handler. */
+/** Removes a file, or a folder once it is empty, together with the temporary file: what is of no use until other files are
+  * written. */
+void
+removeOnInterruption (const std::string& path);
+
+/** Keeps what was to be removed. */
+void
+keepOnInterruption () noexcept;
+
+/** Removes the temporary file of the OutputFile at work, and what removeOnInterruption names. Safe in a signal handler. */
 void
 removeTemporaryFile () noexcept;
 } // namespace tools

@@ -27,7 +27,7 @@ struct Header
   bool has_points = false;
   std::size_t stride = 0;
   std::array<float, 7> viewpoint {0, 0, 0, 1, 0, 0, 0};
-  std::string_view encoding;
+  std::string encoding;
 };
 
 std::uint64_t
@@ -107,24 +107,25 @@ readHeaderLine (std::string_view line, Header& header)
   return key == "DATA";
 }
 
-/** Reads the header and takes it off \a text. */
+/** Reads the header and goes past it. */
 Header
-readHeader (std::string_view& text)
+readHeader (ByteStream& stream, std::uint64_t most)
 {
   Header header;
   bool complete = false;
-  while (!complete && !text.empty ()) {
+  while (!complete && stream.left () > 0) {
     // A file of another kind is told by its first lines, not by a search for DATA through all of it.
-    if (header.fields.empty () && text.substr (0, 4096).find ("FIELDS") == std::string_view::npos &&
-        text.substr (0, 4096).find ("COLUMNS") == std::string_view::npos)
+    const std::string_view first = stream.peek (4096).substr (0, 4096);
+    if (header.fields.empty () && first.find ("FIELDS") == std::string_view::npos &&
+        first.find ("COLUMNS") == std::string_view::npos)
       break;
-    complete = readHeaderLine (nextLine (text), header);
+    complete = readHeaderLine (nextLine (stream), header);
   }
   if (!complete || header.fields.empty ())
     throw FormatError ("is no PCD file, its header lacks FIELDS or DATA");
   if (header.has_points && header.width == 0 && header.height <= 1)
     header.width = header.points;
-  if (header.width > max_points || header.height > max_points || header.width * header.height > max_points)
+  if (header.width > most || header.height > most || (header.height > 0 && header.width > most / header.height))
     throw FormatError ("its header claims more points than PCL can count");
   if (header.has_points && header.points != header.width * header.height)
     throw FormatError ("WIDTH times HEIGHT of its header is not POINTS");
@@ -150,32 +151,25 @@ requireBytes (std::uint64_t available, std::uint64_t points, std::uint64_t bytes
                        " points that its header claims");
 }
 
+/** Reads a point from the next line that is not empty. */
 void
-readAscii (std::string_view text, const Header& header, std::vector<std::uint8_t>& data)
+readAsciiPoint (ByteStream& stream, const Header& header, std::uint64_t i, std::uint8_t* point)
 {
-  std::size_t words = 0;
-  for (const auto& field : header.fields)
-    words += field.count;
-  requireBytes (text.size () + 1, header.points, 2 * words); // a word and what parts it from the next
-  data.resize (header.points * header.stride);
-  for (std::size_t i = 0; i < header.points; ++i) {
-    std::string_view line;
-    while (line.find_first_not_of (" \t") == std::string_view::npos && !text.empty ())
-      line = nextLine (text);
-    for (const auto& field : header.fields) {
-      std::uint8_t* value = data.data () + i * header.stride + field.offset;
-      const std::size_t size = sizeOfType (field.datatype);
-      for (std::size_t c = 0; c < field.count; ++c, value += size) {
-        const std::string_view word = nextWord (line);
-        if (!parseValue (word, field.datatype, value))
-          throw FormatError (
-              "field " + field.name + " of point " + std::to_string (i) +
-              (word.empty () ? " is missing" : " is no number of its type (" + std::string (word) + ")"));
-      }
+  std::string_view line;
+  while (line.find_first_not_of (" \t") == std::string_view::npos && stream.left () > 0)
+    line = nextLine (stream);
+  for (const auto& field : header.fields) {
+    std::uint8_t* value = point + field.offset;
+    const std::size_t size = sizeOfType (field.datatype);
+    for (std::size_t c = 0; c < field.count; ++c, value += size) {
+      const std::string_view word = nextWord (line);
+      if (!parseValue (word, field.datatype, value))
+        throw FormatError ("field " + field.name + " of point " + std::to_string (i) +
+                           (word.empty () ? " is missing" : " is no number of its type (" + std::string (word) + ")"));
     }
-    if (!nextWord (line).empty ())
-      throw FormatError ("the line of point " + std::to_string (i) + " has more values than there are fields");
   }
+  if (!nextWord (line).empty ())
+    throw FormatError ("the line of point " + std::to_string (i) + " has more values than there are fields");
 }
 
 /** All values of the first field, then all of the second, and so on, in one LZF block behind two sizes. */
@@ -204,34 +198,77 @@ readCompressed (std::string_view bytes, const Header& header, std::vector<std::u
       std::memcpy (data.data () + i * header.stride + field.offset, from, size);
   }
 }
+class PcdReader : public PointReader
+{
+public:
+  PcdReader (ByteStream& stream, const Header& header) : stream_ (stream), header_ (header)
+  {
+    for (const auto& field : header.fields)
+      if (field.name != "_" && field.count > 0)
+        shape_.fields.push_back (field);
+    shape_.point_step = header.stride;
+    shape_.width = header.width;
+    shape_.height = header.height;
+    const auto& v = header.viewpoint;
+    shape_.origin = Eigen::Vector4f (v[0], v[1], v[2], 0);
+    shape_.orientation = Eigen::Quaternionf (v[3], v[4], v[5], v[6]);
+    if (header.encoding == "binary")
+      requireBytes (stream.left (), header.points, header.stride);
+    else if (header.encoding == "ascii") {
+      std::size_t words = 0;
+      for (const auto& field : header.fields)
+        words += field.count;
+      requireBytes (stream.left () + 1, header.points, 2 * words); // a word and what parts it from the next
+    }
+    else if (header.encoding != "binary_compressed")
+      throw FormatError ("DATA of its header is neither ascii nor binary nor binary_compressed");
+  }
+
+  std::size_t
+  read (std::size_t most, std::vector<std::uint8_t>& data) override
+  {
+    const std::size_t count = nextCount (most);
+    if (header_.encoding == "binary") {
+      const std::string_view bytes = stream_.peek (count * header_.stride);
+      requireBytes (bytes.size (), count, header_.stride);
+      data.assign (bytes.begin (), bytes.begin () + static_cast<std::ptrdiff_t> (count * header_.stride));
+      stream_.skip (count * header_.stride);
+    }
+    else {
+      data.assign (count * header_.stride, 0);
+      for (std::size_t i = 0; i < count; ++i)
+        readAsciiPoint (stream_, header_, done_ + i, data.data () + i * header_.stride);
+    }
+    done_ += count;
+    return count;
+  }
+
+private:
+  ByteStream& stream_;
+  Header header_;
+};
 } // namespace
+
+std::unique_ptr<PointReader>
+makePcdReader (ByteStream& stream, std::uint64_t most)
+{
+  const Header header = readHeader (stream, most);
+  if (header.encoding == "binary_compressed")
+    return nullptr;
+  return std::make_unique<PcdReader> (stream, header);
+}
 
 void
 readPcd (const std::string& bytes, CloudFile& file)
 {
-  std::string_view body = bytes;
-  const Header header = readHeader (body);
-  pcl::PCLPointCloud2& cloud = *file.cloud;
+  ByteStream stream (bytes);
+  const Header header = readHeader (stream, max_points);
+  PcdReader reader (stream, header);
   if (header.encoding == "binary_compressed")
-    readCompressed (body, header, cloud.data);
-  else if (header.encoding == "binary") {
-    requireBytes (body.size (), header.points, header.stride);
-    cloud.data.assign (body.begin (), body.begin () + static_cast<std::ptrdiff_t> (header.points * header.stride));
-  }
-  else if (header.encoding == "ascii")
-    readAscii (body, header, cloud.data);
+    readCompressed (stream.peek (), header, file.cloud->data);
   else
-    throw FormatError ("DATA of its header is neither ascii nor binary nor binary_compressed");
-  for (const auto& field : header.fields)
-    if (field.name != "_" && field.count > 0)
-      cloud.fields.push_back (field);
-  cloud.width = static_cast<pcl::uindex_t> (header.width);
-  cloud.height = static_cast<pcl::uindex_t> (header.height);
-  cloud.point_step = static_cast<pcl::uindex_t> (header.stride);
-  cloud.row_step = cloud.width * cloud.point_step;
-  const auto& v = header.viewpoint;
-  file.origin = Eigen::Vector4f (v[0], v[1], v[2], 0);
-  file.orientation = Eigen::Quaternionf (v[3], v[4], v[5], v[6]);
+    reader.read (header.points, file.cloud->data);
+  setShape (reader.shape (), file);
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -3,6 +3,7 @@
 
 #include "cloud_io.h"
 #include "output_file.h"
+#include "point_stream.h"
 
 #include <stdexcept>
 
@@ -23,8 +24,26 @@ constexpr std::uint64_t max_point_bytes = 1u << 24, max_points = 0x7fffffff;
 void
 readPcd (const std::string& bytes, CloudFile& file);
 
+/** Reads the points of a PCD file.
+  * \param[in] most points that its header may claim
+  * \return nullptr for a compressed file, which holds one field after the other \throw FormatError */
+std::unique_ptr<PointReader>
+makePcdReader (ByteStream& stream, std::uint64_t most);
+
 /** \throw FormatError where the format cannot hold the cloud */
 void
 writePcd (const CloudFile& file, FileFormat format, OutputFile& output);
+
+/** The parts of a file that is not compressed. */
+std::string
+pcdHeader (const CloudShape& shape, FileFormat format);
+
+/** \param[in] data shape.point_step bytes a point */
+void
+writePcdPoints (const CloudShape& shape,
+                FileFormat format,
+                const std::uint8_t* data,
+                std::size_t points,
+                OutputFile& output);
 } // namespace tools
 } // namespace pcl_normal_smoothing

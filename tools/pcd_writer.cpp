@@ -29,11 +29,13 @@ typeIn (FileFormat format, const pcl::PCLPointField& field)
   return colour && format == FileFormat::ASCII ? std::uint8_t (pcl::PCLPointField::UINT32) : field.datatype;
 }
 
+} // namespace
+
 std::string
-header (const CloudFile& file, FileFormat format)
+pcdHeader (const CloudShape& shape, FileFormat format)
 {
   std::string names, sizes, types, counts;
-  for (const auto& field : file.cloud->fields) {
+  for (const auto& field : shape.fields) {
     const std::uint8_t type = typeIn (format, field);
     names += " " + field.name;
     sizes += " " + std::to_string (sizeOfType (type));
@@ -41,50 +43,41 @@ header (const CloudFile& file, FileFormat format)
     counts += " " + std::to_string (std::max<std::size_t> (field.count, 1));
   }
   std::string text = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" + names + "\nSIZE" + sizes +
-                     "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " + std::to_string (file.cloud->width) +
-                     "\nHEIGHT " + std::to_string (file.cloud->height) + "\nVIEWPOINT";
-  const Eigen::Quaternionf& q = file.orientation;
-  for (const float number : {file.origin[0], file.origin[1], file.origin[2], q.w (), q.x (), q.y (), q.z ()}) {
+                     "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " + std::to_string (shape.width) +
+                     "\nHEIGHT " + std::to_string (shape.height) + "\nVIEWPOINT";
+  const Eigen::Quaternionf& q = shape.orientation;
+  for (const float number : {shape.origin[0], shape.origin[1], shape.origin[2], q.w (), q.x (), q.y (), q.z ()}) {
     text += ' ';
     appendFloat (number, text);
   }
   const char* encoding = format == FileFormat::ASCII    ? "ascii"
                          : format == FileFormat::BINARY ? "binary"
                                                         : "binary_compressed";
-  return text + "\nPOINTS " + std::to_string (file.size ()) + "\nDATA " + encoding + "\n";
+  return text + "\nPOINTS " + std::to_string (shape.size ()) + "\nDATA " + encoding + "\n";
 }
 
+namespace
+{
 std::string_view
-fieldBytes (const pcl::PCLPointCloud2& cloud, std::size_t i, const pcl::PCLPointField& field)
+fieldBytes (const std::uint8_t* point, const pcl::PCLPointField& field)
 {
-  const std::uint8_t* value = cloud.data.data () + i * cloud.point_step + field.offset;
-  return {reinterpret_cast<const char*> (value), bytesOf (field)};
+  return {reinterpret_cast<const char*> (point + field.offset), bytesOf (field)};
 }
 
 void
-writeAscii (const CloudFile& file, OutputFile& output)
+writeAsciiPoint (const CloudShape& shape, const std::uint8_t* point, std::string& line, OutputFile& output)
 {
-  std::string line;
-  for (std::size_t i = 0; i < file.size (); ++i) {
-    line.clear ();
-    for (const auto& field : file.cloud->fields) {
-      const std::uint8_t type = typeIn (FileFormat::ASCII, field);
-      const std::string_view bytes = fieldBytes (*file.cloud, i, field);
-      for (std::size_t at = 0; at < bytes.size (); at += sizeOfType (type)) {
-        line += line.empty () ? "" : " ";
-        appendValue (reinterpret_cast<const std::uint8_t*> (bytes.data ()) + at, type, line);
-      }
+  line.clear ();
+  for (const auto& field : shape.fields) {
+    const std::uint8_t type = typeIn (FileFormat::ASCII, field);
+    const std::string_view bytes = fieldBytes (point, field);
+    for (std::size_t at = 0; at < bytes.size (); at += sizeOfType (type)) {
+      line += line.empty () ? "" : " ";
+      appendValue (reinterpret_cast<const std::uint8_t*> (bytes.data ()) + at, type, line);
     }
-    output.write (line + "\n");
   }
-}
-
-void
-writeBinary (const CloudFile& file, OutputFile& output)
-{
-  for (std::size_t i = 0; i < file.size (); ++i)
-    for (const auto& field : file.cloud->fields)
-      output.write (fieldBytes (*file.cloud, i, field));
+  line += '\n';
+  output.write (line);
 }
 
 void
@@ -93,7 +86,7 @@ writeCompressed (const CloudFile& file, OutputFile& output)
   std::string columns;
   for (const auto& field : file.cloud->fields)
     for (std::size_t i = 0; i < file.size (); ++i)
-      columns += fieldBytes (*file.cloud, i, field);
+      columns += fieldBytes (file.cloud->data.data () + i * file.cloud->point_step, field);
   // LZF makes data that do not shrink a thirtieth longer.
   const std::size_t capacity = columns.size () + columns.size () / 16 + 64;
   if (capacity > std::numeric_limits<std::uint32_t>::max ())
@@ -110,15 +103,30 @@ writeCompressed (const CloudFile& file, OutputFile& output)
 } // namespace
 
 void
+writePcdPoints (const CloudShape& shape,
+                FileFormat format,
+                const std::uint8_t* data,
+                std::size_t points,
+                OutputFile& output)
+{
+  std::string line;
+  for (std::size_t i = 0; i < points; ++i, data += shape.point_step)
+    if (format == FileFormat::ASCII)
+      writeAsciiPoint (shape, data, line, output);
+    else
+      for (const auto& field : shape.fields)
+        output.write (fieldBytes (data, field));
+}
+
+void
 writePcd (const CloudFile& file, FileFormat format, OutputFile& output)
 {
-  output.write (header (file, format));
-  if (format == FileFormat::ASCII)
-    writeAscii (file, output);
-  else if (format == FileFormat::BINARY)
-    writeBinary (file, output);
-  else
+  const CloudShape shape = shapeOf (file);
+  output.write (pcdHeader (shape, format));
+  if (format == FileFormat::COMPRESSED)
     writeCompressed (file, output);
+  else
+    writePcdPoints (shape, format, file.cloud->data.data (), file.size (), output);
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

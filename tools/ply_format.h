@@ -4,8 +4,7 @@
 #include "cloud_io.h"
 #include "output_file.h"
 #include "pcd_format.h"
-
-#include <string_view>
+#include "point_stream.h"
 
 namespace pcl_normal_smoothing
 {
@@ -39,18 +38,38 @@ struct PlyHeader
   std::vector<PlyElement> elements;
 };
 
-/** Reads the header and takes it off \a text.
-  * \throw FormatError where it is none, or claims more elements than \a text has room for */
+/** Reads the header and goes past it.
+  * \throw FormatError where it is none, or claims more elements than the stream has room for */
 PlyHeader
-readPlyHeader (std::string_view& text);
+readPlyHeader (ByteStream& stream);
 
 /** Reads the vertices of a PLY file as PCL names them (nx: normal_x; red, green, blue: rgb), with the viewpoint, width and
   * height that a camera element says. \throw FormatError */
 void
 readPly (const std::string& bytes, CloudFile& file);
 
+/** Reads the vertices of a PLY file.
+  * \param[in] most vertices that its header may claim \throw FormatError */
+std::unique_ptr<PointReader>
+makePlyReader (ByteStream& stream, std::uint64_t most);
+
 /** \throw FormatError where PLY cannot hold a field */
 void
 writePly (const CloudFile& file, FileFormat format, OutputFile& output);
+
+/** The parts of a file. \throw FormatError where PLY cannot hold a field */
+std::string
+plyHeader (const CloudShape& shape, FileFormat format);
+
+/** \param[in] data shape.point_step bytes a point */
+void
+writePlyPoints (const CloudShape& shape,
+                FileFormat format,
+                const std::uint8_t* data,
+                std::size_t points,
+                OutputFile& output);
+
+void
+writePlyEnd (const CloudShape& shape, FileFormat format, OutputFile& output);
 } // namespace tools
 } // namespace pcl_normal_smoothing

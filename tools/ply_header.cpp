@@ -65,7 +65,7 @@ leastBytes (const PlyElement& element, PlyHeader::Encoding encoding)
 
 /** Seen before any memory is taken for what a header claims. */
 void
-checkCounts (const PlyHeader& header, std::size_t available)
+checkCounts (const PlyHeader& header, std::uint64_t available)
 {
   for (const PlyElement& element : header.elements) {
     const std::size_t least = leastBytes (element, header.encoding);
@@ -93,14 +93,14 @@ readProperty (std::string_view line)
 } // namespace
 
 PlyHeader
-readPlyHeader (std::string_view& text)
+readPlyHeader (ByteStream& stream)
 {
   PlyHeader header;
-  std::string_view line = nextLine (text);
+  std::string_view line = nextLine (stream);
   if (line != "ply")
     throw FormatError ("is no PLY file, it does not begin with the line ply");
-  while (!text.empty ()) {
-    line = nextLine (text);
+  while (stream.left () > 0) {
+    line = nextLine (stream);
     const std::string_view key = nextWord (line);
     if (key == "format")
       header.encoding = encodingNamed (nextWord (line));
@@ -113,7 +113,7 @@ readPlyHeader (std::string_view& text)
     else if (key == "property" && !header.elements.empty ())
       header.elements.back ().properties.push_back (readProperty (line));
     else if (key == "end_header") {
-      checkCounts (header, text.size ());
+      checkCounts (header, stream.left ());
       return header;
     }
     else if (key != "comment" && key != "obj_info" && !key.empty ())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field_values.h"
 #include "ply_format.h"
+#include "ply_values.h"
 
 #include <algorithm>
 #include <array>
@@ -15,63 +16,11 @@ namespace tools
 namespace
 {
 using Field = pcl::PCLPointField;
-using Encoding = PlyHeader::Encoding;
-
-/** Takes one number after the other off the data. */
-class Values
-{
-public:
-  Values (std::string_view data, Encoding encoding) : data_ (data), encoding_ (encoding) {}
-
-  /** \param[out] value where the bytes of a number of type \a datatype go */
-  void
-  read (std::uint8_t datatype, std::uint8_t* value)
-  {
-    if (encoding_ == Encoding::ASCII) {
-      const std::string_view word = nextWord (data_);
-      if (!parseValue (word, datatype, value))
-        throw FormatError (word.empty () ? "is truncated, its data end too early"
-                                         : "has a value that is no number of its type (" + std::string (word) + ")");
-      return;
-    }
-    const std::size_t size = sizeOfType (datatype);
-    if (data_.size () < size)
-      throw FormatError ("is truncated, its data end too early");
-    std::memcpy (value, data_.data (), size);
-    if (encoding_ == Encoding::BIG_ENDIAN_BYTES)
-      std::reverse (value, value + size);
-    data_.remove_prefix (size);
-  }
-
-  /** How long the list is that comes next. */
-  std::size_t
-  readLength (std::uint8_t datatype)
-  {
-    std::array<std::uint8_t, 8> bytes {}; // little-endian, like every machine that PCL runs on
-    read (datatype, bytes.data ());
-    std::uint64_t length;
-    std::memcpy (&length, bytes.data (), sizeof length);
-    if (length > data_.size ())
-      throw FormatError ("is truncated or damaged, a list is longer than the file");
-    return static_cast<std::size_t> (length);
-  }
-
-  /** Numbers of that type that may still follow. */
-  std::size_t
-  room (std::uint8_t datatype) const
-  {
-    return encoding_ == Encoding::ASCII ? (data_.size () + 1) / 2 : data_.size () / sizeOfType (datatype);
-  }
-
-private:
-  std::string_view data_;
-  Encoding encoding_;
-};
 
 /** Reads past an element, or hands its scalar numbers to \a use (property name, value). */
 template <typename Use>
 void
-readElement (const PlyElement& element, Values& values, const Use& use)
+readElement (const PlyElement& element, PlyValues& values, const Use& use)
 {
   std::array<std::uint8_t, 8> bytes;
   const std::uint64_t count = element.properties.empty () ? 0 : element.count;
@@ -112,7 +61,7 @@ public:
 
   /** \param[in] length of every list */
   std::vector<Slot>
-  place (const std::vector<std::size_t>& lengths, pcl::PCLPointCloud2& cloud)
+  place (const std::vector<std::size_t>& lengths, CloudShape& cloud)
   {
     std::vector<Slot> slots;
     for (std::size_t p = 0; p < vertex_.properties.size (); ++p) {
@@ -152,18 +101,18 @@ private:
   }
 
   static std::size_t
-  addField (pcl::PCLPointCloud2& cloud, const std::string& name, std::uint8_t datatype, std::size_t count)
+  addField (CloudShape& cloud, const std::string& name, std::uint8_t datatype, std::size_t count)
   {
     Field field;
     field.name = name;
-    field.offset = cloud.point_step;
+    field.offset = static_cast<pcl::uindex_t> (cloud.point_step);
     field.datatype = datatype;
     field.count = static_cast<pcl::uindex_t> (count);
     if (count > 0)
       cloud.fields.push_back (field);
     if (cloud.point_step + count * sizeOfType (datatype) > max_point_bytes)
       throw FormatError ("has vertices of more than 16 megabytes");
-    cloud.point_step += static_cast<pcl::uindex_t> (count * sizeOfType (datatype));
+    cloud.point_step += count * sizeOfType (datatype);
     return field.offset;
   }
 
@@ -175,9 +124,15 @@ private:
 
 /** Length of every property of the first vertex: a list becomes a field of that many numbers. */
 std::vector<std::size_t>
-firstLengths (const PlyElement& vertex, Values values)
+firstLengths (const PlyElement& vertex, PlyHeader::Encoding encoding, PlyValues& values_to_come)
 {
+  const bool lists = std::any_of (vertex.properties.begin (), vertex.properties.end (),
+                                  [] (const PlyProperty& property) { return property.list_type != 0; });
+  if (!lists)
+    return std::vector<std::size_t> (vertex.properties.size (), 1);
   std::vector<std::size_t> lengths;
+  ByteStream ahead (values_to_come.ahead ());
+  PlyValues values (ahead, encoding);
   std::array<std::uint8_t, 8> bytes;
   for (const PlyProperty& property : vertex.properties) {
     const bool list = property.list_type != 0;
@@ -186,29 +141,6 @@ firstLengths (const PlyElement& vertex, Values values)
       values.read (property.datatype, bytes.data ());
   }
   return lengths;
-}
-
-void
-readVertices (const PlyElement& vertex, Values& values, pcl::PCLPointCloud2& cloud)
-{
-  if (vertex.count > max_points)
-    throw FormatError ("its header claims more points than PCL can count");
-  const std::vector<std::size_t> lengths = firstLengths (vertex, values);
-  const std::vector<Slot> slots = VertexFields (vertex).place (lengths, cloud);
-  for (std::size_t p = 0; p < slots.size (); ++p)
-    if (slots[p].length > 0 && vertex.count > values.room (vertex.properties[p].datatype) / slots[p].length)
-      throw FormatError ("is truncated, its data end too early");
-  cloud.data.resize (vertex.count * cloud.point_step);
-  std::uint8_t* point = cloud.data.data ();
-  for (std::uint64_t i = 0; i < vertex.count; ++i, point += cloud.point_step)
-    for (std::size_t p = 0; p < slots.size (); ++p) {
-      const PlyProperty& property = vertex.properties[p];
-      if (property.list_type != 0 && values.readLength (property.list_type) != slots[p].length)
-        throw FormatError ("has lists " + property.name +
-                           " of different lengths in its vertices, which no cloud can hold");
-      for (std::size_t c = 0; c < slots[p].length; ++c)
-        values.read (property.datatype, point + slots[p].offset + c * sizeOfType (property.datatype));
-    }
 }
 
 double
@@ -226,7 +158,7 @@ toDouble (std::uint8_t datatype, const std::uint8_t* bytes)
 
 /** What PCL keeps in a camera element: the sensor's pose, and the width and height of the cloud. */
 void
-applyCamera (const std::map<std::string, double>& camera, CloudFile& file)
+applyCamera (const std::map<std::string, double>& camera, CloudShape& shape)
 {
   const auto value = [&] (const std::string& name) {
     const auto found = camera.find (name);
@@ -236,46 +168,110 @@ applyCamera (const std::map<std::string, double>& camera, CloudFile& file)
   const std::string names = "xyz";
   for (int row = 0; row < 3; ++row) {
     const std::string axis {names[static_cast<std::size_t> (row)]};
-    file.origin[row] = static_cast<float> (value ("view_p" + axis));
+    shape.origin[row] = static_cast<float> (value ("view_p" + axis));
     axes.row (row) << value (axis + "_axisx"), value (axis + "_axisy"), value (axis + "_axisz");
   }
   // Other programs leave the axes empty, and put the size of their window into the viewport.
   if (std::abs (axes.determinant () - 1) < 1e-3)
-    file.orientation = Eigen::Quaterniond (axes).normalized ().cast<float> ();
+    shape.orientation = Eigen::Quaterniond (axes).normalized ().cast<float> ();
   const double width = value ("viewportx"), height = value ("viewporty");
-  if (width >= 1 && height >= 1 && width * height == static_cast<double> (file.size ())) {
-    file.cloud->width = static_cast<pcl::uindex_t> (width);
-    file.cloud->height = static_cast<pcl::uindex_t> (height);
+  if (width >= 1 && height >= 1 && width * height == static_cast<double> (shape.size ())) {
+    shape.width = static_cast<std::uint64_t> (width);
+    shape.height = static_cast<std::uint64_t> (height);
   }
 }
+class PlyReader : public PointReader
+{
+public:
+  PlyReader (ByteStream& stream, std::uint64_t most)
+  : header_ (readPlyHeader (stream)), values_ (stream, header_.encoding)
+  {
+    while (next_ < header_.elements.size () && header_.elements[next_].name != "vertex")
+      readOther (header_.elements[next_++]);
+    if (next_ == header_.elements.size ())
+      throw FormatError ("has no element vertex");
+    begin (header_.elements[next_++], most);
+  }
+
+  std::size_t
+  read (std::size_t most, std::vector<std::uint8_t>& data) override
+  {
+    const std::size_t count = nextCount (most);
+    data.assign (count * shape_.point_step, 0);
+    for (std::size_t i = 0; i < count; ++i)
+      readVertex (data.data () + i * shape_.point_step);
+    done_ += count;
+    return count;
+  }
+
+  void
+  finish () override
+  {
+    while (next_ < header_.elements.size ())
+      readOther (header_.elements[next_++]);
+    applyCamera (camera_, shape_);
+  }
+
+private:
+  void
+  begin (const PlyElement& vertex, std::uint64_t most)
+  {
+    if (vertex.count > most)
+      throw FormatError ("its header claims more points than PCL can count");
+    properties_ = vertex.properties;
+    shape_.width = vertex.count;
+    slots_ = VertexFields (vertex).place (firstLengths (vertex, header_.encoding, values_), shape_);
+    for (std::size_t p = 0; p < slots_.size (); ++p)
+      if (slots_[p].length > 0 && vertex.count > values_.room (properties_[p].datatype) / slots_[p].length)
+        throw FormatError ("is truncated, its data end too early");
+  }
+
+  void
+  readVertex (std::uint8_t* point)
+  {
+    for (std::size_t p = 0; p < slots_.size (); ++p) {
+      const PlyProperty& property = properties_[p];
+      if (property.list_type != 0 && values_.readLength (property.list_type) != slots_[p].length)
+        throw FormatError ("has lists " + property.name +
+                           " of different lengths in its vertices, which no cloud can hold");
+      for (std::size_t c = 0; c < slots_[p].length; ++c)
+        values_.read (property.datatype, point + slots_[p].offset + c * sizeOfType (property.datatype));
+    }
+  }
+
+  void
+  readOther (const PlyElement& element)
+  {
+    shape_.faces = element.name == "face" ? element.count : shape_.faces;
+    readElement (element, values_, [&] (const PlyProperty& property, const std::uint8_t* value) {
+      if (element.name == "camera")
+        camera_[property.name] = toDouble (property.datatype, value);
+    });
+  }
+
+  PlyHeader header_;
+  PlyValues values_;
+  std::size_t next_ = 0; // element
+  std::vector<PlyProperty> properties_;
+  std::vector<Slot> slots_;
+  std::map<std::string, double> camera_;
+};
 } // namespace
+
+std::unique_ptr<PointReader>
+makePlyReader (ByteStream& stream, std::uint64_t most)
+{
+  return std::make_unique<PlyReader> (stream, most);
+}
 
 void
 readPly (const std::string& bytes, CloudFile& file)
 {
-  std::string_view body = bytes;
-  const PlyHeader header = readPlyHeader (body);
-  Values values (body, header.encoding);
-  bool has_vertices = false;
-  std::map<std::string, double> camera;
-  for (const PlyElement& element : header.elements)
-    if (element.name == "vertex" && !has_vertices) {
-      readVertices (element, values, *file.cloud);
-      file.cloud->width = static_cast<pcl::uindex_t> (element.count);
-      file.cloud->height = 1;
-      has_vertices = true;
-    }
-    else {
-      file.faces = element.name == "face" ? element.count : file.faces;
-      readElement (element, values, [&] (const PlyProperty& property, const std::uint8_t* value) {
-        if (element.name == "camera")
-          camera[property.name] = toDouble (property.datatype, value);
-      });
-    }
-  if (!has_vertices)
-    throw FormatError ("has no element vertex");
-  applyCamera (camera, file);
-  file.cloud->row_step = file.cloud->width * file.cloud->point_step;
+  ByteStream stream ((std::string_view (bytes)));
+  PlyReader reader (stream, max_points);
+  reader.read (max_points, file.cloud->data);
+  reader.finish ();
+  setShape (reader.shape (), file);
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -48,13 +48,15 @@ channelsOf (const Field& field)
   return field.name == "rgb" ? 3 : field.name == "rgba" ? 4 : 0;
 }
 
+} // namespace
+
 std::string
-header (const CloudFile& file, FileFormat format)
+plyHeader (const CloudShape& shape, FileFormat format)
 {
   std::string text = "ply\nformat ";
   text += format == FileFormat::ASCII ? "ascii" : "binary_little_endian";
-  text += " 1.0\nelement vertex " + std::to_string (file.size ()) + "\n";
-  for (const Field& field : file.cloud->fields) {
+  text += " 1.0\nelement vertex " + std::to_string (shape.size ()) + "\n";
+  for (const Field& field : shape.fields) {
     const std::size_t channels = channelsOf (field);
     if (channels > 0) {
       text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
@@ -74,6 +76,8 @@ header (const CloudFile& file, FileFormat format)
   return text + "property int viewportx\nproperty int viewporty\nproperty float k1\nproperty float k2\nend_header\n";
 }
 
+namespace
+{
 /** Appends numbers to a record, as text or as bytes. */
 class Record
 {
@@ -122,39 +126,58 @@ addField (const Field& field, const std::uint8_t* value, Record& record)
 }
 
 void
-addCamera (const CloudFile& file, Record& record)
+addCamera (const CloudShape& shape, Record& record)
 {
   const auto add = [&] (float number) { record.add (Field::FLOAT32, &number); };
   for (int d = 0; d < 3; ++d)
-    add (file.origin[d]);
-  const bool turned = file.orientation.norm () > 0;
-  const Eigen::Quaternionf pose = turned ? file.orientation.normalized () : Eigen::Quaternionf::Identity ();
+    add (shape.origin[d]);
+  const bool turned = shape.orientation.norm () > 0;
+  const Eigen::Quaternionf pose = turned ? shape.orientation.normalized () : Eigen::Quaternionf::Identity ();
   const Eigen::Matrix3f axes = pose.toRotationMatrix ();
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
       add (axes (row, column));
   for (int unused = 0; unused < 5; ++unused)
     add (0);
-  for (const std::uint32_t size : {file.cloud->width, file.cloud->height})
+  for (const std::uint64_t length : {shape.width, shape.height}) {
+    const std::int64_t size = shape.size () > max_points ? 0 : static_cast<std::int64_t> (length); // 0: none
     record.add (Field::INT32, &size);
+  }
   add (0);
   add (0);
 }
 } // namespace
 
 void
-writePly (const CloudFile& file, FileFormat format, OutputFile& output)
+writePlyPoints (const CloudShape& shape,
+                FileFormat format,
+                const std::uint8_t* data,
+                std::size_t points,
+                OutputFile& output)
 {
-  output.write (header (file, format));
-  const pcl::PCLPointCloud2& cloud = *file.cloud;
   Record record (format);
-  for (std::size_t i = 0; i < file.size (); ++i) {
-    for (const Field& field : cloud.fields)
-      addField (field, cloud.data.data () + i * cloud.point_step + field.offset, record);
+  for (std::size_t i = 0; i < points; ++i, data += shape.point_step) {
+    for (const Field& field : shape.fields)
+      addField (field, data + field.offset, record);
     record.writeTo (output);
   }
-  addCamera (file, record);
+}
+
+void
+writePlyEnd (const CloudShape& shape, FileFormat format, OutputFile& output)
+{
+  Record record (format);
+  addCamera (shape, record);
   record.writeTo (output);
+}
+
+void
+writePly (const CloudFile& file, FileFormat format, OutputFile& output)
+{
+  const CloudShape shape = shapeOf (file);
+  output.write (plyHeader (shape, format));
+  writePlyPoints (shape, format, file.cloud->data.data (), file.size (), output);
+  writePlyEnd (shape, format, output);
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -14,15 +14,7 @@ namespace tools
 void
 SmoothingJob::addOptions (Options& options)
 {
-  addPresetOptions (options, smoothing_);
-  search_.addTo (options, presetStandardK ());
-  addFilterOptions (options, presetStandard, smoothing_);
-  addUpdateOptions (options, presetStandard, smoothing_);
-  addNoiseOptions (options, smoothing_);
-  addOrientedOption (options, smoothing_);
-  options.add ("-save_normals", "0|1", "1: write the normals that the points fit to normal_x normal_y normal_z", "0",
-               switchOption ([this] (bool save) { smoothing_.setSaveNormals (save); }));
-  addSeedOption (options, "0", [this] (std::uint64_t seed) { smoothing_.setSeed (seed); });
+  addMethodOptions (options, smoothing_, search_, [this] (bool save) { smoothing_.setSaveNormals (save); });
   format_.addTo (options);
 }
 

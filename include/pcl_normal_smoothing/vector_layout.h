@@ -11,6 +11,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl_normal_smoothing
 {
@@ -49,6 +50,12 @@ public:
   /** The fields called \a names; nothing where one is missing, or they are not all float or all double. */
   static std::optional<VectorLayout>
   find (const pcl::PCLPointCloud2& cloud, const std::array<std::string, 3>& names);
+
+  Scalar
+  scalar () const
+  {
+    return scalar_;
+  }
 
   /** The vector of point \a i of the cloud that begins at \a data. */
   Eigen::Vector3d
@@ -113,6 +120,14 @@ normalsOf (const pcl::PointCloud<PointT>& cloud)
   * 2^-20 or farther than 2^20, a power of two of that size. */
 double
 unitOf (const VectorView& positions);
+
+/** The points of a cloud of \a size that tell its unit, some hundreds, and the unit from those of them that are finite: for a
+  * cloud that is nowhere as a whole. */
+std::vector<std::uint64_t>
+unitSample (std::uint64_t size);
+
+double
+unitOf (const std::vector<Eigen::Vector3d>& sample);
 
 /** The positions in unitOf (\a positions). */
 core::Positions

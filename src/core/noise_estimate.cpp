@@ -3,7 +3,6 @@
 #include <pcl_normal_smoothing/core/noise_estimate.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -14,7 +13,7 @@ namespace core
 namespace
 {
 constexpr std::size_t sample_size = 4096;
-constexpr std::uint32_t row_length = 16;
+constexpr std::uint32_t row_length = noise_row_length;
 constexpr double pi = 3.14159265358979;
 
 std::uint32_t
@@ -32,19 +31,6 @@ hashOf (const Eigen::Vector3f& point)
   return hash;
 }
 
-/** Nodes whose hash is below the share of them that is wanted. */
-std::vector<std::uint32_t>
-sampleNodes (const Positions& nodes)
-{
-  const double share = static_cast<double> (sample_size) / static_cast<double> (std::max (nodes.size (), sample_size));
-  const auto limit = static_cast<std::uint32_t> (share * 4294967295.0);
-  std::vector<std::uint32_t> sample;
-  for (std::uint32_t node = 0; node < nodes.size (); ++node)
-    if (hashOf (nodes.base[node]) <= limit)
-      sample.push_back (node);
-  return sample;
-}
-
 /** The rows of 16 nodes side by side, as a graph keeps those of a block. */
 std::vector<std::uint32_t>
 rowsOf (const NeighborGraph& graph, const std::vector<std::uint32_t>& sample, std::size_t begin)
@@ -57,46 +43,6 @@ rowsOf (const NeighborGraph& graph, const std::vector<std::uint32_t>& sample, st
       rows[j * NeighborGraph::block_size + lane] = j < row.size () ? row[j] : node;
   }
   return rows;
-}
-
-/** Residual variances of quadrics through the 8, 12 and 16 nearest points, and distances of the eighth. */
-struct Residuals
-{
-  std::array<std::vector<float>, 3> variances;
-  std::vector<float> distances;
-};
-
-Residuals
-sampleResiduals (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
-{
-  constexpr std::array<std::size_t, 3> sizes = {8, 12, 16};
-  const std::vector<std::uint32_t> sample = sampleNodes (nodes);
-  std::array<std::vector<float>, 3> of_nodes;
-  for (auto& variances : of_nodes)
-    variances.resize (nodes.size ());
-  const NodeArrays arrays = nodeArrays (nodes, nodes.base);
-  const std::size_t block_count = (sample.size () + NeighborGraph::block_size - 1) / NeighborGraph::block_size;
-  parallelFor (
-      block_count, execution,
-      [&] (std::size_t begin, std::size_t end) {
-        for (std::size_t block = begin; block < end; ++block) {
-          const auto rows = rowsOf (graph, sample, block * NeighborGraph::block_size);
-          for (std::size_t i = 0; i < sizes.size (); ++i)
-            kernels ().residual_variances ({arrays, of_nodes[i].data ()}, {rows.data (), sizes[i]});
-        }
-      },
-      8);
-
-  Residuals residuals;
-  for (const std::uint32_t node : sample) {
-    for (std::size_t i = 0; i < sizes.size (); ++i)
-      if (std::isfinite (of_nodes[i][node]))
-        residuals.variances[i].push_back (of_nodes[i][node]);
-    const Row row = graph.row (node);
-    if (row.size () >= sizes[0])
-      residuals.distances.push_back (nodes.difference (node, row[sizes[0] - 1]).norm ());
-  }
-  return residuals;
 }
 
 double
@@ -127,14 +73,76 @@ isQuantised (double of_8, double of_12, double of_16)
 }
 } // namespace
 
+void
+NoiseSample::join (const NoiseSample& part)
+{
+  for (std::size_t i = 0; i < variances.size (); ++i)
+    variances[i].insert (variances[i].end (), part.variances[i].begin (), part.variances[i].end ());
+  distances.insert (distances.end (), part.distances.begin (), part.distances.end ());
+}
+
+// Nodes whose hash is below the share of them that is wanted.
+std::vector<std::uint32_t>
+noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size)
+{
+  const double share =
+      static_cast<double> (sample_size) / static_cast<double> (std::max<std::uint64_t> (cloud_size, sample_size));
+  const auto limit = static_cast<std::uint32_t> (share * 4294967295.0);
+  std::vector<std::uint32_t> sample;
+  for (std::uint32_t node = 0; node < nodes.size (); ++node)
+    if (hashOf (nodes.base[node]) <= limit)
+      sample.push_back (node);
+  return sample;
+}
+
+NoiseSample
+sampleNoise (const NeighborGraph& graph,
+             const Positions& nodes,
+             const std::vector<std::uint32_t>& sample,
+             const Execution& execution)
+{
+  constexpr std::array<std::size_t, 3> sizes = {8, 12, 16};
+  std::array<std::vector<float>, 3> of_nodes;
+  for (auto& variances : of_nodes)
+    variances.resize (nodes.size ());
+  const NodeArrays arrays = nodeArrays (nodes, nodes.base);
+  const std::size_t block_count = (sample.size () + NeighborGraph::block_size - 1) / NeighborGraph::block_size;
+  parallelFor (
+      block_count, execution,
+      [&] (std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block) {
+          const auto rows = rowsOf (graph, sample, block * NeighborGraph::block_size);
+          for (std::size_t i = 0; i < sizes.size (); ++i)
+            kernels ().residual_variances ({arrays, of_nodes[i].data ()}, {rows.data (), sizes[i]});
+        }
+      },
+      8);
+
+  NoiseSample residuals;
+  for (const std::uint32_t node : sample) {
+    for (std::size_t i = 0; i < sizes.size (); ++i)
+      if (std::isfinite (of_nodes[i][node]))
+        residuals.variances[i].push_back (of_nodes[i][node]);
+    const Row row = graph.row (node);
+    if (row.size () >= sizes[0])
+      residuals.distances.push_back (nodes.difference (node, row[sizes[0] - 1]).norm ());
+  }
+  return residuals;
+}
+
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   // A graph by radius, or of small neighbourhoods, does not show enough.
   if (graph.minRowLength () < std::min<std::size_t> (row_length, graph.size ()))
     return estimateNoise (*graph.rebuild (nodes, NeighborQuery {row_length}, execution), nodes, execution);
-  Residuals residuals = sampleResiduals (graph, nodes, execution);
-  auto& [of_8, of_12, of_16] = residuals.variances;
+  return estimateNoise (sampleNoise (graph, nodes, noiseSampleNodes (nodes, nodes.size ()), execution));
+}
+
+NoiseEstimate
+estimateNoise (NoiseSample sample)
+{
+  auto& [of_8, of_12, of_16] = sample.variances;
   // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom. Edges spoil the upper ones, other sheets all
   // but the lower ones.
   const double lower_12 = quantile (of_12, .25) / .5758, lower_16 = quantile (of_16, .25) / .6737;
@@ -145,7 +153,7 @@ estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Executi
   const double median = extrapolated (quantile (of_8, .5) / .6931, quantile (of_12, .5) / .891, .3, 2.5);
   const double upper = extrapolated (quantile (of_8, .75) / 1.3863, quantile (of_16, .75) / 1.2549, .4, 3);
   const double variance = std::min ({1.1 * lower, 1.05 * median, std::max (upper, .75 * lowest)});
-  const double spacing = quantile (residuals.distances, .5) * std::sqrt (pi / 8);
+  const double spacing = quantile (sample.distances, .5) * std::sqrt (pi / 8);
   if (!(spacing > 0))
     return {};
   // A quadric follows the more of the noise the larger it is against the spacing.

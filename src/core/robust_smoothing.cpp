@@ -34,6 +34,12 @@ struct Schedule
   float sigma_s;        // of the update
 };
 
+float
+noiseRatio (const RobustSmoothingOptions& options)
+{
+  return options.noise.spacing > 0 ? options.noise.sigma / options.noise.spacing : 0;
+}
+
 Schedule
 chooseSchedule (const RobustSmoothingOptions& options, float noise_ratio)
 {
@@ -79,7 +85,7 @@ public:
   , progress_ (execution)
   , positions_ (positions)
   , normals_ (normals)
-  , noise_ratio_ (options.noise.spacing > 0 ? options.noise.sigma / options.noise.spacing : 0)
+  , noise_ratio_ (noiseRatio (options))
   , schedule_ (chooseSchedule (options, noise_ratio_))
   , start_ (startOf (positions))
   , other_ (graph.size ())
@@ -88,6 +94,14 @@ public:
   , averaged_ (2 * graph.size ())
   , weights_ (pairsBegin (graph, graph.blockCount ()))
   {}
+
+  /** Every loop over the blocks that reads what the one before wrote for neighbours goes a hop farther: change both. */
+  static int
+  depth (const RobustSmoothingOptions& options)
+  {
+    const int fit = 1, filter = noiseRatio (options) > filtering_ratio ? 1 : 0, update = 1;
+    return options.rounds * (fit + filter + update + chooseSchedule (options, noiseRatio (options)).averages);
+  }
 
   void
   run ()
@@ -231,6 +245,12 @@ startNormals (const NeighborGraph& graph, const Positions& positions, const Exec
     kernels ().start_normals (task, {rows.neighbors, std::min (rows.length, k)});
   });
   return normals;
+}
+
+int
+roundsDepth (const RobustSmoothingOptions& options)
+{
+  return Rounds::depth (options);
 }
 
 void

@@ -125,15 +125,25 @@ writeOwnSheet (const NeighborGraph& graph,
 }
 } // namespace
 
+// The row of a node is written from the rows of its neighbours and the normals of theirs. A normal that is not given is elected
+// among those of the neighbours, which are estimated from their rows.
+int
+separationDepth (const SheetSeparationOptions& options)
+{
+  if (options.oriented_normals != nullptr)
+    return 1;
+  return std::isfinite (options.distance) ? 3 : -1;
+}
+
 NeighborGraph::ConstPtr
 separateSheets (const NeighborGraph::ConstPtr& graph,
                 const Positions& positions,
                 const SheetSeparationOptions& options,
                 const Execution& execution)
 {
-  const bool oriented = options.oriented_normals != nullptr;
-  if (!oriented && !std::isfinite (options.distance))
+  if (separationDepth (options) < 0)
     return graph;
+  const bool oriented = options.oriented_normals != nullptr;
   const Vectors normals =
       oriented ? *options.oriented_normals : electedNormals (*graph, positions, options.distance, execution);
   const SheetTest test (positions, normals, options.distance, oriented);

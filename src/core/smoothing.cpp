@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/sheet_separation.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 
 #include <algorithm>
@@ -16,14 +15,6 @@ namespace
 constexpr float displacement_sigmas = 5;
 // Two points of one sheet hardly lie farther apart across it.
 constexpr float sheet_sigmas = 4;
-
-void
-requireNormals (const Vectors& normals)
-{
-  if (std::all_of (normals.begin (), normals.end (), [] (const auto& n) { return std::isnan (n.x ()); }))
-    throw Error ("no point has a normal: every neighbourhood has fewer than 3 points or lies on a line; "
-                 "the cloud must sample a surface, with a neighbourhood that holds at least 3 points");
-}
 } // namespace
 
 SmoothingOptions
@@ -52,6 +43,46 @@ check (const SmoothingOptions& options)
     check (rounds);
 }
 
+bool
+SmoothingPreparation::needsNoise (const SmoothingOptions& options)
+{
+  const NoiseEstimate& noise = options.rounds.noise;
+  return options.robust && !(noise.sigma >= 0 && noise.spacing >= 0);
+}
+
+bool
+SmoothingPreparation::setSheetDistance (const NoiseEstimate& noise, SmoothingOptions& options)
+{
+  RobustSmoothingOptions& rounds = options.rounds;
+  const float sigma = rounds.noise.sigma >= 0 ? rounds.noise.sigma : noise.sigma;
+  if (rounds.sheet_distance < 0)
+    rounds.sheet_distance = sheet_sigmas * sigma;
+  return options.robust && sigma > 0; // else nothing moves
+}
+
+SheetSeparationOptions
+SmoothingPreparation::separation (const SmoothingOptions& options, const Vectors& normals)
+{
+  const bool oriented = options.rounds.oriented && options.normals == NormalSource::INPUT;
+  return {options.rounds.sheet_distance, oriented ? &normals : nullptr};
+}
+
+NoiseEstimate
+SmoothingPreparation::chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated)
+{
+  return {std::min (separated.sigma, 1.2f * mixed.sigma), mixed.spacing};
+}
+
+void
+SmoothingPreparation::setNoise (const NoiseEstimate& noise, SmoothingOptions& options)
+{
+  RobustSmoothingOptions& rounds = options.rounds;
+  rounds.noise.sigma = rounds.noise.sigma < 0 ? noise.sigma : rounds.noise.sigma;
+  rounds.noise.spacing = rounds.noise.spacing < 0 ? noise.spacing : rounds.noise.spacing;
+  if (!std::isfinite (rounds.max_displacement) && rounds.noise.sigma > 0)
+    rounds.max_displacement = displacement_sigmas * rounds.noise.sigma;
+}
+
 void
 prepareSmoothing (const Positions& positions,
                   const Vectors& normals,
@@ -61,27 +92,64 @@ prepareSmoothing (const Positions& positions,
 {
   if (!options.robust)
     return;
-  RobustSmoothingOptions& rounds = options.rounds;
-  NoiseEstimate& noise = rounds.noise;
-  const bool noise_known = noise.sigma >= 0 && noise.spacing >= 0;
-  NoiseEstimate estimate;
-  if (!noise_known)
-    estimate = estimateNoise (*graph, positions, execution);
-  const float sigma = noise.sigma >= 0 ? noise.sigma : estimate.sigma;
-  if (rounds.sheet_distance < 0)
-    rounds.sheet_distance = sheet_sigmas * sigma;
-
-  if (sigma > 0) { // else nothing moves
-    const bool oriented = rounds.oriented && options.normals == NormalSource::INPUT;
+  using Preparation = SmoothingPreparation;
+  const bool estimates = Preparation::needsNoise (options);
+  NoiseEstimate noise;
+  if (estimates)
+    noise = estimateNoise (*graph, positions, execution);
+  if (Preparation::setSheetDistance (noise, options)) {
     const NeighborGraph::ConstPtr mixed = graph;
-    graph = separateSheets (mixed, positions, {rounds.sheet_distance, oriented ? &normals : nullptr}, execution);
-    if (graph != mixed && !noise_known)
-      estimate.sigma = std::min (estimateNoise (*graph, positions, execution).sigma, 1.2f * estimate.sigma);
+    graph = separateSheets (mixed, positions, Preparation::separation (options, normals), execution);
+    if (graph != mixed && estimates)
+      noise = Preparation::chooseNoise (noise, estimateNoise (*graph, positions, execution));
   }
-  noise.sigma = noise.sigma < 0 ? estimate.sigma : noise.sigma;
-  noise.spacing = noise.spacing < 0 ? estimate.spacing : noise.spacing;
-  if (!std::isfinite (rounds.max_displacement) && noise.sigma > 0)
-    rounds.max_displacement = displacement_sigmas * noise.sigma;
+  Preparation::setNoise (noise, options);
+}
+
+int
+smoothingDepth (const SmoothingOptions& options)
+{
+  const int first_normals = options.normals == NormalSource::INPUT ? 0 : 1;
+  return first_normals +
+         (options.robust ? roundsDepth (options.rounds) : options.filter.iterations + options.update.iterations);
+}
+
+std::size_t
+estimateFirstNormals (const NeighborGraph& graph,
+                      const SmoothingOptions& options,
+                      const Execution& execution,
+                      const Positions& positions,
+                      Vectors& normals)
+{
+  if (options.robust && options.normals == NormalSource::WPCA)
+    normals = startNormals (graph, positions, execution.part (0, 0.1));
+  else if (options.normals != NormalSource::INPUT)
+    normals =
+        estimateNormals (graph, positions, makeEstimator (options.normals, options.hough), execution.part (0, 0.3));
+  return static_cast<std::size_t> (
+      std::count_if (normals.begin (), normals.end (), [] (const auto& n) { return !std::isnan (n.x ()); }));
+}
+
+void
+requireNormals (std::size_t nodes_with_normal)
+{
+  if (nodes_with_normal == 0)
+    throw Error ("no point has a normal: every neighbourhood has fewer than 3 points or lies on a line; "
+                 "the cloud must sample a surface, with a neighbourhood that holds at least 3 points");
+}
+
+void
+smoothByNormals (const NeighborGraph::ConstPtr& graph,
+                 const SmoothingOptions& options,
+                 const Research& research,
+                 const Execution& execution,
+                 Positions& positions,
+                 Vectors& normals)
+{
+  if (options.robust)
+    return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), positions, normals);
+  filterNormals (*graph, positions, options.filter, execution.part (0.3, 0.7), normals);
+  updatePoints (graph, normals, options.update, research, execution.part (0.7, 1), positions);
 }
 
 void
@@ -92,16 +160,8 @@ smooth (const NeighborGraph::ConstPtr& graph,
         Positions& positions,
         Vectors& normals)
 {
-  if (options.robust && options.normals == NormalSource::WPCA)
-    normals = startNormals (*graph, positions, execution.part (0, 0.1));
-  else if (options.normals != NormalSource::INPUT)
-    normals =
-        estimateNormals (*graph, positions, makeEstimator (options.normals, options.hough), execution.part (0, 0.3));
-  requireNormals (normals);
-  if (options.robust)
-    return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), positions, normals);
-  filterNormals (*graph, positions, options.filter, execution.part (0.3, 0.7), normals);
-  updatePoints (graph, normals, options.update, research, execution.part (0.7, 1), positions);
+  requireNormals (estimateFirstNormals (*graph, options, execution, positions, normals));
+  smoothByNormals (graph, options, research, execution, positions, normals);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -3,6 +3,8 @@
 
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 
+#include <array>
+
 namespace pcl_normal_smoothing
 {
 namespace core
@@ -30,5 +32,36 @@ struct NoiseEstimate
   * \return sigma 0 where neighbourhoods have fewer than 8 points or no extent */
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
+
+/** Length of the rows that estimateNoise looks at, or of the whole cloud where that has fewer points. */
+constexpr std::uint32_t noise_row_length = 16;
+
+/** What the sample of a cloud tells of its noise. The samples of its parts make that of the whole, in any order. */
+struct NoiseSample
+{
+  /** Residual variances of quadrics through the 8, 12 and 16 nearest points. */
+  std::array<std::vector<float>, 3> variances;
+  /** Distances of the eighth. */
+  std::vector<float> distances;
+
+  void
+  join (const NoiseSample& part);
+};
+
+/** Which nodes of a cloud, or of a part of it, are in the sample.
+  * \param[in] cloud_size finite points of the whole cloud */
+std::vector<std::uint32_t>
+noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size);
+
+/** \param[in] graph whose rows of the nodes in \a sample have noise_row_length points */
+NoiseSample
+sampleNoise (const NeighborGraph& graph,
+             const Positions& nodes,
+             const std::vector<std::uint32_t>& sample,
+             const Execution& execution);
+
+/** The estimate from the sample of the whole cloud. */
+NoiseEstimate
+estimateNoise (NoiseSample sample);
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -17,6 +17,11 @@ struct SheetSeparationOptions
   const Vectors* oriented_normals = nullptr;
 };
 
+/** How far along the rows of a graph separateSheets looks: the new row of a node depends on the rows of nodes that are up to so
+  * many hops off, and on the points in them. -1 where it changes none. */
+int
+separationDepth (const SheetSeparationOptions& options);
+
 /** Neighbourhoods that keep to one sheet. A node three of whose neighbours lie on another sheet takes in their place the
   * nearest points of its own among the neighbours of its neighbours. Normals are those of the eight nearest, each node then
   * taking the one of its neighbourhood that most of the points fit: where two sheets are as close as the points, many a

@@ -4,6 +4,7 @@
 #include <pcl_normal_smoothing/core/normal_filter.h>
 #include <pcl_normal_smoothing/core/point_update.h>
 #include <pcl_normal_smoothing/core/robust_smoothing.h>
+#include <pcl_normal_smoothing/core/sheet_separation.h>
 #include <pcl_normal_smoothing/core/surface_estimation.h>
 
 namespace pcl_normal_smoothing
@@ -43,6 +44,60 @@ prepareSmoothing (const Positions& positions,
                   const Execution& execution,
                   NeighborGraph::ConstPtr& graph,
                   SmoothingOptions& options);
+
+/** The parts of prepareSmoothing, for a cloud that is seen in tiles: what is estimated is estimated for all of it. */
+struct SmoothingPreparation
+{
+  /** The noise has to be estimated, with the graph as it was searched. */
+  static bool
+  needsNoise (const SmoothingOptions& options);
+
+  /** Sets the distance of the sheets where it is to be estimated. \return whether the sheets are to be separated */
+  static bool
+  setSheetDistance (const NoiseEstimate& noise, SmoothingOptions& options);
+
+  /** \param[in] normals as for prepareSmoothing; kept while the result is used */
+  static SheetSeparationOptions
+  separation (const SmoothingOptions& options, const Vectors& normals);
+
+  /** The estimate where the sheets were separated.
+    * \param[in] mixed, separated the estimates before and after */
+  static NoiseEstimate
+  chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated);
+
+  /** Sets whatever else is to be estimated. */
+  static void
+  setNoise (const NoiseEstimate& noise, SmoothingOptions& options);
+};
+
+/** How far along the rows smooth looks: what becomes of a node depends on nodes that are so many hops off, and on the rows of those
+  * that are fewer hops off. Not where neighbours are searched anew (update.search_interval): then it has no bound.
+  * \param[in] options without anything to estimate */
+int
+smoothingDepth (const SmoothingOptions& options);
+
+/** The first step of smooth: the normals that it begins with.
+  * \param[out] normals left as they are for NormalSource::INPUT
+  * \return how many nodes have one */
+std::size_t
+estimateFirstNormals (const NeighborGraph& graph,
+                      const SmoothingOptions& options,
+                      const Execution& execution,
+                      const Positions& positions,
+                      Vectors& normals);
+
+/** \throw Error for 0 */
+void
+requireNormals (std::size_t nodes_with_normal);
+
+/** The other steps of smooth. */
+void
+smoothByNormals (const NeighborGraph::ConstPtr& graph,
+                 const SmoothingOptions& options,
+                 const Research& research,
+                 const Execution& execution,
+                 Positions& positions,
+                 Vectors& normals);
 
 /** The whole method, Fig. 2 of Valdivia et al. 2013: estimate normals, filter them, move the points to fit them.
   * Or, for options.robust, all of it in rounds.

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "point_stream.h"
+
+#include "pcd_format.h"
+#include "ply_format.h"
+#include "tool_error.h"
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+/** Points that a file may claim: their bytes can be counted. */
+constexpr std::uint64_t most_points = std::uint64_t (1) << 38;
+
+template <typename Work>
+auto
+withPath (const std::string& path, const Work& work)
+{
+  try {
+    return work ();
+  }
+  catch (const FormatError& error) {
+    throw FileError (path, error.what (), "give a complete PCD or PLY file");
+  }
+}
+} // namespace
+
+CloudShape
+shapeOf (const CloudFile& file)
+{
+  return {file.cloud->fields, file.cloud->point_step, file.cloud->width, file.cloud->height,
+          file.origin,        file.orientation,       file.faces};
+}
+
+void
+setShape (const CloudShape& shape, CloudFile& file)
+{
+  file.cloud->fields = shape.fields;
+  file.cloud->point_step = static_cast<pcl::uindex_t> (shape.point_step);
+  file.cloud->width = static_cast<pcl::uindex_t> (shape.width);
+  file.cloud->height = static_cast<pcl::uindex_t> (shape.height);
+  file.cloud->row_step = file.cloud->width * file.cloud->point_step;
+  file.origin = shape.origin;
+  file.orientation = shape.orientation;
+  file.faces = shape.faces;
+}
+
+PointFile::PointFile (const std::string& path) : path_ (path), bytes_ (path)
+{
+  const std::string extension = extensionOf (path);
+  if (extension != ".pcd" && extension != ".ply")
+    throw FileError (path, "is no cloud by its extension", "give a PCD or a PLY file");
+  reader_ = withPath (path, [&] {
+    return extension == ".pcd" ? makePcdReader (bytes_, most_points) : makePlyReader (bytes_, most_points);
+  });
+  if (!reader_)
+    throw FileError (path, "is a compressed PCD file, which holds one field after the other",
+                     "convert it, for example by pcl_convert_pcd_ascii_binary in.pcd out.pcd 1");
+}
+
+std::size_t
+PointFile::read (std::size_t most, std::vector<std::uint8_t>& data)
+{
+  return withPath (path_, [&] { return reader_->read (most, data); });
+}
+
+std::string
+PointFile::finish ()
+{
+  withPath (path_, [&] { reader_->finish (); });
+  while (bytes_.left () > 0)
+    bytes_.skip (bytes_.peek ().size ());
+  return bytes_.checksum ();
+}
+
+PointWriter::PointWriter (const CloudShape& shape, const std::string& path, FileFormat format)
+: shape_ (shape), format_ (format), ply_ (extensionOf (path) == ".ply"), output_ (path)
+{
+  withPath (path, [&] { output_.write (ply_ ? plyHeader (shape_, format_) : pcdHeader (shape_, format_)); });
+}
+
+void
+PointWriter::write (const std::uint8_t* data, std::size_t points)
+{
+  if (ply_)
+    writePlyPoints (shape_, format_, data, points, output_);
+  else
+    writePcdPoints (shape_, format_, data, points, output_);
+}
+
+void
+PointWriter::commit ()
+{
+  if (ply_)
+    writePlyEnd (shape_, format_, output_);
+  output_.commit ();
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/smoothing.h>
+
+#include <nlohmann/json.hpp>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+using Json = nlohmann::ordered_json;
+
+/** Every number of the options, to the bit. */
+Json
+optionsAsJson (const core::SmoothingOptions& options);
+
+/** \throw nlohmann::json::exception where one is missing */
+core::SmoothingOptions
+optionsFromJson (const Json& json);
+
+Json
+queryAsJson (const core::NeighborQuery& query);
+
+core::NeighborQuery
+queryFromJson (const Json& json);
+} // namespace tools
+} // namespace pcl_normal_smoothing

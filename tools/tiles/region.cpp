@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "region.h"
+
+#include "record_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+// A walk takes the long hops.
+constexpr double hop_lengths = 1.1;
+
+double
+farthest (const Eigen::Vector3d& place, const Eigen::AlignedBox3d& box)
+{
+  return (place - box.min ()).cwiseAbs ().cwiseMax ((place - box.max ()).cwiseAbs ()).norm ();
+}
+
+/** How far a hop goes about a cell: the middle one of some reaches. */
+double
+hopLength (const std::vector<Cell>& cells, std::size_t cell)
+{
+  std::vector<float> reaches;
+  for (std::size_t i = cell < 2 ? 0 : cell - 2; i < std::min (cell + 3, cells.size ()); ++i)
+    reaches.push_back (cells[i].reach);
+  std::nth_element (reaches.begin (), reaches.begin () + static_cast<std::ptrdiff_t> (reaches.size () / 2), reaches.end ());
+  return hop_lengths * static_cast<double> (reaches[reaches.size () / 2]);
+}
+} // namespace
+
+Region::Region (const Plan& plan, const core::NeighborQuery& query, const core::Execution& execution)
+: plan_ (plan), query_ (query), execution_ (execution), index_ (plan.cells)
+{}
+
+void
+Region::load (const std::vector<std::uint32_t>& cells, const IsWanted& is_wanted, const Depth& depth)
+{
+  for (const std::uint32_t cell : cells)
+    markLoaded (cell);
+  loadAround (cells, depth.rows + 1 + std::max (depth.separation, 0));
+  bool proven = false;
+  while (!proven) {
+    graph_ = searched_ = nullptr;
+    readLoaded ();
+    search (is_wanted, depth);
+    proven = !loadAround (findDoubts (neighborhoods (), wanted_, depth));
+  }
+}
+
+Neighborhoods
+Region::neighborhoods () const
+{
+  return {plan_, query_, *searched_, *graph_, nodes_, cell_of_, index_};
+}
+
+void
+Region::markLoaded (std::uint32_t cell)
+{
+  if (index_.isLoaded (cell))
+    return;
+  index_.setLoaded (cell);
+  loaded_.push_back (cell);
+}
+
+void
+Region::loadWithin (const Eigen::AlignedBox3d& box, double distance)
+{
+  std::vector<std::uint32_t> found;
+  index_.forEachNear (box, distance, [&] (std::uint32_t cell, double) { found.push_back (cell); });
+  for (const std::uint32_t cell : found)
+    markLoaded (cell);
+}
+
+void
+Region::loadAround (const std::vector<std::uint32_t>& cells, int hops)
+{
+  for (const std::uint32_t cell : cells)
+    loadWithin (plan_.cells[cell].box, hops * hopLength (plan_.cells, cell));
+}
+
+bool
+Region::loadAround (std::vector<Doubt> doubts)
+{
+  std::sort (doubts.begin (), doubts.end (), [] (const Doubt& a, const Doubt& b) {
+    return a.hops_left > b.hops_left || (a.hops_left == b.hops_left && a.node < b.node);
+  });
+  const Neighborhoods current = neighborhoods ();
+  for (const Doubt& doubt : doubts)
+    loadFor (doubt, current);
+  return !doubts.empty ();
+}
+
+void
+Region::loadFor (const Doubt& doubt, const Neighborhoods& neighborhoods)
+{
+  struct Found
+  {
+    double farthest, nearest;
+    std::uint32_t cell;
+  };
+  const Eigen::Vector3d place = neighborhoods.placeOf (doubt.node);
+  const Eigen::AlignedBox3d box (place);
+  std::vector<Found> found;
+  double radius = neighborhoods.rowRadius (doubt.node);
+  index_.forEachNear (box, radius, [&] (std::uint32_t cell, double distance) {
+    found.push_back ({farthest (place, plan_.cells[cell].box), distance, cell});
+  });
+  // So many points in these cells alone that none farther off can be among the k nearest.
+  std::sort (found.begin (), found.end (), [] (const Found& a, const Found& b) { return a.farthest < b.farthest; });
+  std::uint64_t points = 0;
+  for (const Found& cell : found) {
+    points += plan_.cells[cell.cell].points;
+    if (query_.k > 0 && points >= query_.k) {
+      radius = std::min (radius, cell.farthest);
+      break;
+    }
+  }
+  for (const Found& cell : found)
+    if (cell.nearest <= radius) {
+      const double reach = plan_.cells[cell.cell].reach > 0 ? hopLength (plan_.cells, cell.cell) : radius;
+      markLoaded (cell.cell);
+      loadWithin (plan_.cells[cell.cell].box, doubt.hops_left * reach);
+    }
+}
+
+void
+Region::readLoaded ()
+{
+  struct Key
+  {
+    std::uint64_t number;
+    std::uint32_t cell;
+    std::uint32_t at;
+  };
+  std::sort (loaded_.begin (), loaded_.end ());
+  const std::size_t step = plan_.record.bytes ();
+  records_.clear ();
+  std::vector<Key> keys;
+  RecordReader reader (plan_);
+  for (const std::uint32_t cell : loaded_) {
+    reader.read (cell, records_);
+    for (std::size_t at = keys.size (); at < records_.size () / step; ++at)
+      keys.push_back ({RecordLayout::numberOf (&records_[at * step]), cell, static_cast<std::uint32_t> (at)});
+  }
+  // The lowest number comes first among equal distances.
+  std::sort (keys.begin (), keys.end (), [] (const Key& a, const Key& b) { return a.number < b.number; });
+  std::vector<std::uint8_t> sorted (records_.size ());
+  cell_of_.resize (keys.size ());
+  for (std::size_t i = 0; i < keys.size (); ++i) {
+    std::copy_n (&records_[keys[i].at * step], step, &sorted[i * step]);
+    cell_of_[i] = keys[i].cell;
+  }
+  records_.swap (sorted);
+}
+
+void
+Region::search (const IsWanted& is_wanted, const Depth& depth)
+{
+  ++searches_;
+  const RecordLayout& record = plan_.record;
+  const core::Positions positions =
+      readPositions (VectorView {record.positions (), records_.data (), size ()}, plan_.unit, execution_);
+  searched_ = core::NeighborGraph::build (positions, query_, execution_);
+  nodes_ = core::gather (positions, searched_->order (), execution_);
+  if (record.normalBytes () > 0)
+    normals_ = readNormals ({record.normals (), records_.data (), size ()}, searched_->order ());
+  graph_ = searched_;
+  if (depth.separation >= 0)
+    graph_ = core::separateSheets (searched_, nodes_,
+                                   core::SmoothingPreparation::separation (plan_.options, normals_), execution_);
+  wanted_.clear ();
+  for (std::uint32_t node = 0; node < searched_->size (); ++node) {
+    const std::uint32_t i = searched_->order ()[node];
+    if (is_wanted (cell_of_[i], RecordLayout::numberOf (&records_[i * record.bytes ()])))
+      wanted_.push_back (node);
+  }
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

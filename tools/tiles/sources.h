@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan.h"
+
+#include <functional>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+/** The files of points that are given: one cloud, whose points are numbered through all of them. */
+class Sources
+{
+public:
+  /** Reads the headers.
+    * \throw FileError where a file cannot be read, is given twice, or has other fields than the first */
+  explicit Sources (const std::vector<std::string>& paths);
+
+  /** The fields of all files. */
+  const CloudShape&
+  shape () const
+  {
+    return list_.front ().shape;
+  }
+
+  std::uint64_t
+  size () const
+  {
+    return list_.back ().first + list_.back ().shape.size ();
+  }
+
+  /** \param[in] first number of the first point of \a points, of which there are \a count */
+  using Use = std::function<void (std::uint64_t first, const std::uint8_t* points, std::size_t count)>;
+
+  /** Hands over all points in order, some at a time. \throw FileError where a file is damaged or has changed meanwhile */
+  void
+  read (const Use& use);
+
+  /** Complete once all has been read. */
+  const std::vector<Source>&
+  list () const
+  {
+    return list_;
+  }
+
+  /** Faces of meshes, which clouds do not keep. */
+  std::uint64_t
+  faces () const;
+
+private:
+  std::vector<Source> list_;
+};
+
+/** How many points to take at a time: some megabytes. */
+std::size_t
+pointsAtOnce (const CloudShape& shape);
+
+/** Bytes and time of the last change of a file. \throw FileError where it is missing */
+std::pair<std::uint64_t, std::int64_t>
+stateOf (const std::string& path);
+} // namespace tools
+} // namespace pcl_normal_smoothing

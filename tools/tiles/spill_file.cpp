@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "spill_file.h"
+
+#include "tool_error.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+SpillFile::SpillFile (const std::string& folder, std::size_t heaps, std::size_t memory)
+: folder_ (folder), buffer_size_ (std::clamp<std::size_t> (memory / (heaps + 1), 1u << 12, 1u << 22)), heaps_ (heaps)
+{
+  std::string name = folder + "/spill.XXXXXX";
+  descriptor_ = mkostemp (name.data (), O_CLOEXEC);
+  if (descriptor_ < 0)
+    fail ("a temporary file cannot be made in it");
+  unlink (name.c_str ());
+}
+
+SpillFile::~SpillFile ()
+{
+  close (descriptor_);
+}
+
+void
+SpillFile::add (std::size_t heap, std::string_view bytes)
+{
+  heaps_[heap].buffer += bytes;
+  heaps_[heap].size += bytes.size ();
+  if (heaps_[heap].buffer.size () >= buffer_size_)
+    flush (heaps_[heap]);
+}
+
+void
+SpillFile::flush (Heap& heap)
+{
+  std::size_t done = 0;
+  while (done < heap.buffer.size ()) {
+    const ssize_t written = pwrite (descriptor_, heap.buffer.data () + done, heap.buffer.size () - done,
+                                    static_cast<off_t> (end_ + done));
+    if (written < 0 && errno != EINTR)
+      fail ("a temporary file cannot be written there");
+    done += written > 0 ? static_cast<std::size_t> (written) : 0;
+  }
+  heap.blocks.push_back ({end_, heap.buffer.size ()});
+  end_ += heap.buffer.size ();
+  heap.buffer.clear ();
+}
+
+void
+SpillFile::read (std::size_t number, const std::function<void (std::string_view)>& use)
+{
+  Heap& heap = heaps_[number];
+  std::string bytes;
+  for (const Block& block : heap.blocks) {
+    bytes.resize (block.size);
+    for (std::size_t done = 0; done < block.size;) {
+      const ssize_t got =
+          pread (descriptor_, bytes.data () + done, block.size - done, static_cast<off_t> (block.begin + done));
+      if (got == 0 || (got < 0 && errno != EINTR))
+        fail ("a temporary file cannot be read there");
+      done += got > 0 ? static_cast<std::size_t> (got) : 0;
+    }
+    use (bytes);
+  }
+  use (heap.buffer);
+}
+
+void
+SpillFile::fail (const char* action) const
+{
+  const bool full = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
+  throw FileError (folder_, std::string (action) + " (" + std::strerror (errno) + ")",
+                   full ? "free some space, or name a folder on another disk" : "name another folder");
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "record_file.h"
+
+#include <functional>
+#include <string_view>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+/** Heaps of bytes that are gathered side by side and do not fit into memory: they wait in one file that has no name and goes with
+  * the process, however that ends. */
+class SpillFile
+{
+public:
+  /** \param[in] folder where there is room for it
+    * \param[in] memory bytes of all buffers \throw FileError */
+  SpillFile (const std::string& folder, std::size_t heaps, std::size_t memory);
+  ~SpillFile ();
+
+  SpillFile (const SpillFile&) = delete;
+  SpillFile&
+  operator= (const SpillFile&) = delete;
+
+  /** \throw FileError where the disk is full */
+  void
+  add (std::size_t heap, std::string_view bytes);
+
+  std::uint64_t
+  size (std::size_t heap) const
+  {
+    return heaps_[heap].size;
+  }
+
+  /** Hands over what was added to a heap, in order, in pieces of whole add ()s. */
+  void
+  read (std::size_t heap, const std::function<void (std::string_view)>& use);
+
+private:
+  struct Block
+  {
+    std::uint64_t begin;
+    std::size_t size;
+  };
+
+  struct Heap
+  {
+    std::string buffer;
+    std::vector<Block> blocks;
+    std::uint64_t size = 0;
+  };
+
+  void
+  flush (Heap& heap);
+
+  [[noreturn]] void
+  fail (const char* action) const;
+
+  std::string folder_;
+  int descriptor_ = -1;
+  std::uint64_t end_ = 0;
+  std::size_t buffer_size_;
+  std::vector<Heap> heaps_;
+};
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tile_plan.h"
+
+#include "cloud_graph.h"
+#include "partition.h"
+#include "sources.h"
+#include "spill_file.h"
+#include "tile_noise.h"
+#include "tool.h"
+#include "tool_error.h"
+
+#include <pcl_normal_smoothing/core/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+// What the program and its libraries take before there is a point.
+constexpr std::uint64_t program_bytes = 120u << 20;
+// The tiles are a little smaller than they may be: a sample decides where they part.
+constexpr double filling = 0.95;
+
+bool
+isOfPlan (const std::string& name)
+{
+  return name == "plan.json" || name == "cells.bin" || name.rfind ("tile_", 0) == 0;
+}
+
+class Planner
+{
+public:
+  explicit Planner (const PlanRequest& request)
+  : request_ (request), execution_ (request.threads), sources_ (request.files)
+  {
+    plan_.folder = request.folder;
+    plan_.request = request.text;
+    plan_.save_normals = request.save_normals;
+    setLayouts ();
+  }
+
+  Plan
+  run (const std::function<std::string (const core::SmoothingOptions&)>& parameters)
+  {
+    clearFolder ();
+    look ();
+    distribute ();
+    writeTiles ();
+    prepare (plan_, sample_, execution_);
+    plan_.sources = sources_.list ();
+    plan_.parameters = parameters (plan_.options.inUnit (1 / plan_.unit));
+    removeOnInterruption (plan_.folder + "/cells.bin");
+    savePlan (plan_);
+    keepOnInterruption ();
+    return std::move (plan_);
+  }
+
+private:
+  /** \throw core::Error where the fields are not there that are needed */
+  void
+  setLayouts ()
+  {
+    CloudFile cloud = emptyCloud (sources_.shape ());
+    const auto bytesOf = [] (const VectorLayout& layout) {
+      return layout.scalar () == VectorLayout::Scalar::FLOAT32 ? sizeof (float) : sizeof (double);
+    };
+    positions_ = positionLayoutOf (cloud);
+    const std::size_t position_bytes = bytesOf (*positions_);
+    const bool reads_normals = request_.options.normals == NormalSource::INPUT;
+    if (reads_normals)
+      normals_ = normalLayoutOf (cloud, normals_advice);
+    plan_.record = RecordLayout (position_bytes, reads_normals ? bytesOf (*normals_) : 0);
+    if (request_.save_normals)
+      addNormalFields (cloud);
+    plan_.result = RecordLayout (
+        position_bytes, request_.save_normals ? bytesOf (normalLayoutOf (cloud, normals_advice)) : 0);
+    if (sources_.size () == 0)
+      throw core::Error ("the cloud is empty: give one that samples a surface");
+  }
+
+  void
+  clearFolder ()
+  {
+    std::error_code error;
+    if (fs::create_directories (plan_.folder, error))
+      removeOnInterruption (plan_.folder);
+    if (error)
+      throw FileError (plan_.folder, "cannot be made (" + error.message () + ")", "name another folder for the tiles");
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator (plan_.folder)) {
+      if (!isOfPlan (entry.path ().filename ().string ()))
+        throw FileError (plan_.folder, "holds other files (" + entry.path ().filename ().string () + ")",
+                         "name a new folder for the tiles");
+      old.push_back (entry.path ());
+    }
+    fs::remove (plan_.folder + "/plan.json"); // from now on nothing else there is worth anything
+    for (const fs::path& path : old)
+      fs::remove (path);
+  }
+
+  /** Reads all points once: their unit, and a sample by which to part them. */
+  void
+  look ()
+  {
+    std::vector<std::uint64_t> wanted = unitSample (sources_.size ());
+    std::sort (wanted.begin (), wanted.end ());
+    auto next = wanted.begin ();
+    std::vector<Eigen::Vector3d> of_unit;
+    const std::uint64_t stride = std::max<std::uint64_t> (1, sources_.size () / sampleSize ());
+    // Not every n-th: scanners write lines of equal length.
+    const auto sampled = [stride] (std::uint64_t i) { return i * stride + i * 2654435761u % stride; };
+    std::uint64_t next_sampled = 0;
+    sources_.read ([&] (std::uint64_t first, const std::uint8_t* points, std::size_t count) {
+      for (; next != wanted.end () && *next < first + count; ++next) {
+        const Eigen::Vector3d point = positions_->get (points, static_cast<std::size_t> (*next - first));
+        if (point.allFinite ())
+          of_unit.push_back (point);
+      }
+      for (; sampled (next_sampled) < first + count; ++next_sampled) {
+        const Eigen::Vector3d point = positions_->get (points, sampled (next_sampled) - first);
+        if (point.allFinite ())
+          partition_sample_.push_back (point);
+      }
+    });
+    if (sources_.faces () > 0)
+      note ("the " + std::to_string (sources_.faces ()) + " faces of the files are left out, the output are clouds");
+    plan_.unit = unitOf (of_unit);
+    plan_.options = request_.options.inUnit (plan_.unit);
+    plan_.query = request_.query.inUnit (plan_.unit);
+  }
+
+  std::uint64_t
+  sampleSize () const
+  {
+    const std::uint64_t for_tiles = 4096 * (sources_.size () / maxPoints () + 1);
+    return std::min (std::max<std::uint64_t> (for_tiles, 1u << 16), request_.memory / 8 / sizeof (Eigen::Vector3d) + 1);
+  }
+
+  std::uint64_t
+  maxPoints () const
+  {
+    return request_.max_points;
+  }
+
+  /** Reads all points again, and puts those of every part of space on a heap. */
+  void
+  distribute ()
+  {
+    const double parts = static_cast<double> (sources_.size ()) / (filling * static_cast<double> (maxPoints ()));
+    const auto most_parts = static_cast<double> (request_.memory / 8 / 8192 + 1);
+    const Partition partition (std::move (partition_sample_),
+                               static_cast<std::size_t> (std::ceil (std::min (parts, most_parts))));
+    heaps_ = std::make_unique<SpillFile> (plan_.folder, partition.size (), request_.memory / 4);
+    std::string record (plan_.record.bytes (), '\0');
+    auto* bytes = reinterpret_cast<std::uint8_t*> (record.data ());
+    sources_.read ([&] (std::uint64_t first, const std::uint8_t* points, std::size_t count) {
+      const core::Positions read = readPositions ({*positions_, points, count}, plan_.unit, core::Execution (1));
+      for (const std::uint32_t i : core::finiteElements (read)) {
+        const std::uint64_t number = first + i;
+        std::memcpy (bytes, &number, sizeof number);
+        const Eigen::Vector3d place = positions_->get (points, i);
+        plan_.record.positions ().set (bytes, 0, place);
+        if (normals_)
+          plan_.record.normals ().set (bytes, 0, normals_->get (points, i));
+        heaps_->add (partition.partOf (place), record);
+        ++plan_.points;
+      }
+    });
+    heap_count_ = partition.size ();
+    checkPointCount (plan_.points, plan_.query.k);
+  }
+
+  void
+  writeTiles ()
+  {
+    // Cells of some hundreds of points, but not so many cells that their list grows beyond measure.
+    const std::uint64_t most_cells = std::max<std::uint64_t> (request_.memory / 8 / (3 * sizeof (Cell)), 1024);
+    const std::uint64_t cell_points =
+        std::max<std::uint64_t> (std::clamp<std::uint64_t> (maxPoints () / 256, 1, 768), plan_.points / most_cells);
+    TileWriter writer (plan_, maxPoints (), cell_points, execution_);
+    // A heap that is larger than the sample made expect comes in pieces.
+    const std::uint64_t piece = std::max<std::uint64_t> (request_.memory / 3 / (2 * plan_.record.bytes () + 64), 4096);
+    for (std::size_t heap = 0; heap < heap_count_; ++heap) {
+      std::vector<std::uint8_t> records;
+      const std::uint64_t size = heaps_->size (heap), step = plan_.record.bytes ();
+      records.reserve (std::min (size, (piece + 1) * step));
+      heaps_->read (heap, [&] (std::string_view bytes) {
+        for (std::size_t at = 0; at < bytes.size (); at += step) {
+          records.insert (records.end (), bytes.begin () + static_cast<std::ptrdiff_t> (at),
+                          bytes.begin () + static_cast<std::ptrdiff_t> (at + step));
+          if (records.size () < piece * step)
+            continue;
+          writer.add (records);
+          records.clear ();
+        }
+      });
+      writer.add (records);
+    }
+    heaps_.reset ();
+    sample_ = writer.sample ();
+  }
+
+  const PlanRequest& request_;
+  core::Execution execution_;
+  Sources sources_;
+  Plan plan_;
+  std::optional<VectorLayout> positions_, normals_; // in the files
+  std::vector<Eigen::Vector3d> partition_sample_;
+  std::unique_ptr<SpillFile> heaps_;
+  std::size_t heap_count_ = 0;
+  std::vector<SamplePoint> sample_;
+};
+} // namespace
+
+Plan
+makePlan (const PlanRequest& request, const std::function<std::string (const core::SmoothingOptions&)>& parameters)
+{
+  try {
+    return Planner (request).run (parameters);
+  }
+  catch (...) {
+    removeTemporaryFile ();
+    throw;
+  }
+}
+
+std::optional<Plan>
+findPlan (const PlanRequest& request)
+{
+  try {
+    const Plan plan = loadPlan (request.folder);
+    const bool same = plan.request == request.text &&
+                      std::all_of (plan.sources.begin (), plan.sources.end (), [] (const Source& source) {
+                        return stateOf (source.path) == std::pair (source.bytes, source.changed);
+                      });
+    return same ? std::optional<Plan> (plan) : std::nullopt;
+  }
+  catch (const FileError&) {
+    return std::nullopt;
+  }
+}
+
+std::uint64_t
+pointsWithin (std::uint64_t memory, const core::SmoothingOptions& options, const core::NeighborQuery& query)
+{
+  core::SmoothingOptions noisy = options;
+  noisy.rounds.noise = {1, 1}; // with all filters
+  const double k = query.k > 0 ? query.k : 64;
+  const double bytes = 250 + 4 * k;
+  const double loaded = static_cast<double> (std::max (memory, 2 * program_bytes) - program_bytes) / bytes;
+  // A square of a surface, with a halo along its sides; a hop goes as far as the k-th neighbour.
+  const double halo = 1.1 * (core::smoothingDepth (noisy) + 3) * std::sqrt (k / 3.14159);
+  const double side = std::max (std::sqrt (loaded) - 2 * halo, std::sqrt (loaded) / 2);
+  return static_cast<std::uint64_t> (side * side);
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tile_run.h"
+
+#include "region.h"
+#include "tile_result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+class TileSmoothing
+{
+public:
+  TileSmoothing (const Plan& plan, std::size_t tile, unsigned threads)
+  : plan_ (plan), tile_ (tile), execution_ (threads), region_ (plan, plan.query, execution_)
+  {}
+
+  TileRun
+  run ()
+  {
+    load ();
+    smooth ();
+    write ();
+    const std::uint64_t points = plan_.tiles[tile_].points;
+    return {points, region_.size () - points, region_.searches ()};
+  }
+
+private:
+  void
+  load ()
+  {
+    std::vector<std::uint32_t> cells (plan_.tiles[tile_].cells);
+    std::iota (cells.begin (), cells.end (), plan_.tiles[tile_].first_cell);
+    Depth depth {core::smoothingDepth (plan_.options) - 1, -1};
+    if (plan_.separate)
+      depth.separation =
+          core::separationDepth (core::SmoothingPreparation::separation (plan_.options, region_.normals ()));
+    region_.load (cells, [&] (std::uint32_t cell, std::uint64_t) { return plan_.cells[cell].tile == tile_; }, depth);
+    selected_.resize (region_.size ());
+    for (const std::uint32_t node : region_.wanted ())
+      selected_[region_.graph ()->order ()[node]] = true;
+  }
+
+  void
+  smooth ()
+  {
+    core::Positions& nodes = region_.nodes ();
+    displacements_ = nodes.offset;
+    core::estimateFirstNormals (*region_.graph (), plan_.options, execution_, nodes, region_.normals ());
+    const auto has_normal = [&] (std::uint32_t node) { return !std::isnan (region_.normals ()[node].x ()); };
+    with_normal_ = static_cast<std::uint64_t> (
+        std::count_if (region_.wanted ().begin (), region_.wanted ().end (), has_normal));
+    core::smoothByNormals (region_.graph (), plan_.options, {}, execution_, nodes, region_.normals ());
+    for (std::size_t node = 0; node < nodes.size (); ++node)
+      displacements_[node] = nodes.offset[node] - displacements_[node];
+  }
+
+  void
+  write ()
+  {
+    std::vector<std::uint8_t>& records = region_.records ();
+    const std::vector<std::uint32_t>& order = region_.graph ()->order ();
+    writeDisplacements (displacements_, plan_.unit, order, selected_, plan_.record.positions (), records.data ());
+    std::vector<std::uint32_t> node_of (region_.size ());
+    for (std::uint32_t node = 0; node < order.size (); ++node)
+      node_of[order[node]] = node;
+
+    const std::size_t from = plan_.record.bytes (), to = plan_.result.bytes ();
+    std::vector<std::uint8_t> result;
+    result.reserve (plan_.tiles[tile_].points * to);
+    for (std::size_t i = 0; i < region_.size (); ++i) {
+      if (!selected_[i])
+        continue;
+      result.resize (result.size () + to);
+      std::uint8_t* record = &result[result.size () - to];
+      std::copy_n (&records[i * from], sizeof (std::uint64_t) + 3 * plan_.result.positionBytes (), record);
+      if (plan_.save_normals)
+        plan_.result.normals ().set (record, 0, region_.normals ()[node_of[i]].cast<double> ());
+    }
+    saveResult (plan_, tile_, result, with_normal_);
+  }
+
+  const Plan& plan_;
+  std::size_t tile_;
+  core::Execution execution_;
+  Region region_;
+  std::vector<bool> selected_; // records
+  core::Vectors displacements_;
+  std::uint64_t with_normal_ = 0;
+};
+} // namespace
+
+TileRun
+runTile (const Plan& plan, std::size_t tile, unsigned threads)
+{
+  return TileSmoothing (plan, tile, threads).run ();
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing
