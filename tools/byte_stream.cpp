@@ -30,16 +30,16 @@ failToRead (const std::string& path, const std::string& reason)
 
 ByteStream::ByteStream (std::string_view bytes) : ahead_ (bytes), left_ (bytes.size ()) {}
 
-ByteStream::ByteStream (const std::string& path) : path_ (path), checksum_ (std::make_unique<Checksum> ())
+ByteStream::ByteStream (const std::filesystem::path& path) : path_ (path), checksum_ (std::make_unique<Checksum> ())
 {
   struct stat status;
-  if (stat (path.c_str (), &status) != 0)
-    failToRead (path, std::strerror (errno));
+  if (stat (path_.c_str (), &status) != 0)
+    failToRead (path_, std::strerror (errno));
   if (!S_ISREG (status.st_mode)) // nor is a pipe waited for
-    failToRead (path, "it is no regular file, and is read more than once");
-  descriptor_ = open (path.c_str (), O_RDONLY | O_CLOEXEC);
+    failToRead (path_, "it is no regular file, and is read more than once");
+  descriptor_ = open (path_.c_str (), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0)
-    failToRead (path, std::strerror (errno));
+    failToRead (path_, std::strerror (errno));
   left_ = static_cast<std::uint64_t> (status.st_size);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -21,7 +22,7 @@ public:
   explicit ByteStream (std::string_view bytes);
 
   /** \throw FileError where there is no regular file that can be read */
-  explicit ByteStream (const std::string& path);
+  explicit ByteStream (const std::filesystem::path& path);
 
   ~ByteStream ();
 

@@ -105,7 +105,7 @@ loadMesh (const std::string& path)
     throw FileError (path, "is no mesh by its extension", advice);
   try {
     const std::string bytes = readFile (path);
-    ByteStream stream ((std::string_view (bytes)));
+    ByteStream stream {std::string_view (bytes)};
     if (extension == ".ply") // CGAL goes through as many elements as the header claims, there or not
       readPlyHeader (stream);
     std::vector<Point> points;

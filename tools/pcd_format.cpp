@@ -261,7 +261,7 @@ makePcdReader (ByteStream& stream, std::uint64_t most)
 void
 readPcd (const std::string& bytes, CloudFile& file)
 {
-  ByteStream stream (bytes);
+  ByteStream stream {std::string_view (bytes)};
   const Header header = readHeader (stream, max_points);
   PcdReader reader (stream, header);
   if (header.encoding == "binary_compressed")

@@ -267,7 +267,7 @@ makePlyReader (ByteStream& stream, std::uint64_t most)
 void
 readPly (const std::string& bytes, CloudFile& file)
 {
-  ByteStream stream ((std::string_view (bytes)));
+  ByteStream stream {std::string_view (bytes)};
   PlyReader reader (stream, max_points);
   reader.read (max_points, file.cloud->data);
   reader.finish ();

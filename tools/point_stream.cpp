@@ -47,7 +47,7 @@ setShape (const CloudShape& shape, CloudFile& file)
   file.faces = shape.faces;
 }
 
-PointFile::PointFile (const std::string& path) : path_ (path), bytes_ (path)
+PointFile::PointFile (const std::string& path) : path_ (path), bytes_ (std::filesystem::path (path))
 {
   const std::string extension = extensionOf (path);
   if (extension != ".pcd" && extension != ".ply")

@@ -97,10 +97,15 @@ public:
 
   /** Every loop over the blocks that reads what the one before wrote for neighbours goes a hop farther: change both. */
   static int
-  depth (const RobustSmoothingOptions& options)
+  depth (const RobustSmoothingOptions& options, int of_normals)
   {
+    if (options.rounds == 0)
+      return of_normals;
+    // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals too.
+    const int first_fit = std::max (of_normals, 1 + (options.oriented ? of_normals : 0));
     const int fit = 1, filter = noiseRatio (options) > filtering_ratio ? 1 : 0, update = 1;
-    return options.rounds * (fit + filter + update + chooseSchedule (options, noiseRatio (options)).averages);
+    return first_fit - fit +
+           options.rounds * (fit + filter + update + chooseSchedule (options, noiseRatio (options)).averages);
   }
 
   void
@@ -248,9 +253,9 @@ startNormals (const NeighborGraph& graph, const Positions& positions, const Exec
 }
 
 int
-roundsDepth (const RobustSmoothingOptions& options)
+roundsDepth (const RobustSmoothingOptions& options, int of_normals)
 {
-  return Rounds::depth (options);
+  return Rounds::depth (options, of_normals);
 }
 
 void

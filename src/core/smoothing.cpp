@@ -110,8 +110,9 @@ int
 smoothingDepth (const SmoothingOptions& options)
 {
   const int first_normals = options.normals == NormalSource::INPUT ? 0 : 1;
-  return first_normals +
-         (options.robust ? roundsDepth (options.rounds) : options.filter.iterations + options.update.iterations);
+  if (options.robust)
+    return roundsDepth (options.rounds, first_normals);
+  return first_normals + options.filter.iterations + options.update.iterations;
 }
 
 std::size_t

@@ -141,6 +141,11 @@ Region::readLoaded ()
   const std::size_t step = plan_.record.bytes ();
   records_.clear ();
   std::vector<Key> keys;
+  std::uint64_t points = 0;
+  for (const std::uint32_t cell : loaded_)
+    points += plan_.cells[cell].points;
+  records_.reserve (points * step);
+  keys.reserve (points);
   RecordReader reader (plan_);
   for (const std::uint32_t cell : loaded_) {
     reader.read (cell, records_);

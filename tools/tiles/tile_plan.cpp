@@ -180,10 +180,12 @@ private:
   void
   writeTiles ()
   {
-    // Cells of some hundreds of points, but not so many cells that their list grows beyond measure.
+    // Cells of some hundreds of points, enough to tell how far the neighbours are, but not so many cells that their list grows
+    // beyond measure.
     const std::uint64_t most_cells = std::max<std::uint64_t> (request_.memory / 8 / (3 * sizeof (Cell)), 1024);
     const std::uint64_t cell_points =
-        std::max<std::uint64_t> (std::clamp<std::uint64_t> (maxPoints () / 256, 1, 768), plan_.points / most_cells);
+        std::max ({std::min<std::uint64_t> (maxPoints () / 256, 384), 2 * std::uint64_t (plan_.query.k) + 1,
+                   plan_.points / most_cells});
     TileWriter writer (plan_, maxPoints (), cell_points, execution_);
     // A heap that is larger than the sample made expect comes in pieces.
     const std::uint64_t piece = std::max<std::uint64_t> (request_.memory / 3 / (2 * plan_.record.bytes () + 64), 4096);

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graph_rows.h"
+#include "shapes.h"
+
+#include <pcl_normal_smoothing/core/smoothing.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+using namespace pcl_normal_smoothing;
+using namespace pcl_normal_smoothing::core;
+using namespace test_support;
+
+constexpr int side = 40;
+constexpr float spacing = 0.02f;
+
+/** A noisy wavy sheet and its neighbourhoods. */
+struct Sheet
+{
+  Positions nodes;
+  NeighborGraph::ConstPtr graph;
+
+  explicit Sheet (std::uint32_t k)
+  {
+    Vectors points = planeGrid (side, spacing).points;
+    for (std::size_t i = 0; i < points.size (); ++i)
+      points[i] += Eigen::Vector3f (0.3f, 0.3f, 0.2f) * spacing * static_cast<float> (gaussianNoise (5, i));
+    graph = NeighborGraph::build (asPositions (points), {k}, Execution (2));
+    nodes = gather (asPositions (points), graph->order ());
+  }
+
+  /** Hops along the rows from \a node to every other. */
+  std::vector<int>
+  hopsFrom (std::uint32_t node) const
+  {
+    std::vector<int> hops (graph->size (), 1 << 20);
+    hops[node] = 0;
+    std::vector<std::uint32_t> seen {node};
+    for (std::size_t i = 0; i < seen.size (); ++i) {
+      const Row row = graph->row (seen[i]);
+      for (std::size_t j = 0; j < row.size (); ++j)
+        if (hops[row[j]] == 1 << 20) {
+          hops[row[j]] = hops[seen[i]] + 1;
+          seen.push_back (row[j]);
+        }
+    }
+    return hops;
+  }
+
+  /** The node in the middle. */
+  std::uint32_t
+  middle () const
+  {
+    const auto begin = graph->order ().begin ();
+    return static_cast<std::uint32_t> (std::find (begin, graph->order ().end (), side * side / 2 + side / 2) - begin);
+  }
+
+  /** Nodes that are \a least hops off or more are somewhere else. */
+  Positions
+  movedFrom (const std::vector<int>& hops, int least) const
+  {
+    Positions moved = nodes;
+    for (std::size_t i = 0; i < hops.size (); ++i)
+      if (hops[i] >= least)
+        moved.offset[i] += Eigen::Vector3f (0.1f, -0.2f, 0.9f) * spacing * static_cast<float> (uniformNoise (6, i));
+    return moved;
+  }
+
+  /** The rows of nodes that are \a least hops off or more are others. */
+  NeighborGraph::ConstPtr
+  graphFrom (const std::vector<int>& hops, int least) const
+  {
+    std::vector<std::uint32_t> changed, rows;
+    for (std::uint32_t node = 0; node < graph->size (); ++node)
+      if (hops[node] >= least) {
+        changed.push_back (node);
+        for (std::uint32_t j = 0; j < 4; ++j)
+          rows.push_back (j == 0 ? node : (node + 100 * j) % static_cast<std::uint32_t> (graph->size ()));
+      }
+    return graph->withRows (changed, rows, 4);
+  }
+};
+
+struct Result
+{
+  Eigen::Vector3f offset, normal;
+
+  bool
+  operator== (const Result& other) const
+  {
+    return offset == other.offset && normal == other.normal;
+  }
+};
+
+Result
+smoothedNode (const NeighborGraph::ConstPtr& graph, Positions nodes, const SmoothingOptions& options, std::uint32_t node)
+{
+  Vectors normals (graph->size (), Eigen::Vector3f (0.6f, 0, 0.8f)); // for NormalSource::INPUT
+  smooth (graph, options, {}, Execution (2), nodes, normals);
+  return {nodes.offset[node], normals[node]};
+}
+
+/** Nothing beyond the depth counts; with \a tight something at it does. */
+void
+expectDepth (const SmoothingOptions& options, std::uint32_t k, int depth, bool tight = true)
+{
+  ASSERT_EQ (smoothingDepth (options), depth);
+  const Sheet sheet (k);
+  const std::uint32_t node = sheet.middle ();
+  const std::vector<int> hops = sheet.hopsFrom (node);
+  ASSERT_GT (std::count_if (hops.begin (), hops.end (), [&] (int h) { return h > depth && h < 1 << 20; }), 0);
+  const Result expected = smoothedNode (sheet.graph, sheet.nodes, options, node);
+  EXPECT_EQ (smoothedNode (sheet.graphFrom (hops, depth), sheet.movedFrom (hops, depth + 1), options, node), expected);
+  if (!tight)
+    return;
+  EXPECT_FALSE (smoothedNode (sheet.graph, sheet.movedFrom (hops, depth), options, node) == expected);
+  EXPECT_FALSE (smoothedNode (sheet.graphFrom (hops, depth - 1), sheet.nodes, options, node) == expected);
+}
+
+SmoothingOptions
+chain (NormalSource source, int normal_iterations, int point_iterations)
+{
+  SmoothingOptions options;
+  options.normals = source;
+  options.filter.iterations = normal_iterations;
+  options.update.iterations = point_iterations;
+  return options;
+}
+
+SmoothingOptions
+rounds (int count, bool fast, float noise)
+{
+  SmoothingOptions options;
+  options.robust = true;
+  options.rounds.rounds = count;
+  options.rounds.fast = fast;
+  options.rounds.noise = {noise * spacing, spacing};
+  return options;
+}
+
+TEST (SmoothingDepthTest, Chain)
+{
+  expectDepth (chain (NormalSource::PCA, 1, 1), 8, 3);
+  expectDepth (chain (NormalSource::WPCA, 2, 3), 8, 6);
+  expectDepth (chain (NormalSource::HOUGH, 0, 1), 8, 2);
+  expectDepth (chain (NormalSource::INPUT, 0, 2), 8, 2);
+  expectDepth (chain (NormalSource::WPCA, 2, 0), 8, 3);
+}
+
+TEST (SmoothingDepthTest, Rounds)
+{
+  expectDepth (rounds (1, false, .2f), 8, 5);
+  expectDepth (rounds (1, false, .4f), 8, 6); // with a filter
+  expectDepth (rounds (1, true, .2f), 8, 4);
+  expectDepth (rounds (2, true, .2f), 8, 8, false);
+  expectDepth (rounds (2, true, .4f), 8, 10, false);
+  SmoothingOptions given = rounds (1, true, .2f);
+  given.rounds.oriented = true;
+  expectDepth (given, 8, 5);
+  given.normals = NormalSource::INPUT;
+  expectDepth (given, 8, 4);
+  expectDepth (rounds (0, true, .2f), 8, 1);
+}
+
+TEST (SmoothingDepthTest, OfThePresets)
+{
+  SmoothingOptions standard = rounds (6, false, .2f), fast = rounds (3, true, .2f);
+  EXPECT_EQ (smoothingDepth (standard), 30);
+  EXPECT_EQ (smoothingDepth (fast), 12);
+  EXPECT_EQ (smoothingDepth (chain (NormalSource::PCA, 5, 7)), 13);
+}
+
+/** Points on two sheets that are close. */
+Sheet
+twoSheets ()
+{
+  Sheet sheet (12);
+  Vectors points = sheet.nodes.base;
+  for (std::size_t i = 0; i < points.size (); ++i)
+    points[i].z () = static_cast<float> (i % 2) * 1.5f * spacing + 0.02f * spacing * static_cast<float> (gaussianNoise (7, i));
+  sheet.graph = NeighborGraph::build (asPositions (points), {12}, Execution (2));
+  sheet.nodes = gather (asPositions (points), sheet.graph->order ());
+  return sheet;
+}
+
+TEST (SmoothingDepthTest, OfTheSeparationOfSheets)
+{
+  const Sheet sheet = twoSheets ();
+  const Vectors oriented (sheet.graph->size (), Eigen::Vector3f (0, 0, 1));
+  EXPECT_EQ (separationDepth ({}), -1);
+  EXPECT_EQ (separationDepth ({spacing, &oriented}), 1);
+  const SheetSeparationOptions options {0.8f * spacing};
+  const int depth = separationDepth (options);
+  ASSERT_EQ (depth, 3);
+  const Execution execution (2);
+  const auto rows = rowsByPoint (*separateSheets (sheet.graph, sheet.nodes, options, execution));
+  int changed = 0, at_the_depth = 0;
+  for (std::uint32_t node = 0; node < sheet.graph->size (); node += 101) {
+    const std::uint32_t point = sheet.graph->order ()[node];
+    const std::vector<int> hops = sheet.hopsFrom (node);
+    changed += rows[point] != rowInCloud (*sheet.graph, node);
+    // A row holds points up to a hop farther than the node that it is of.
+    const auto beyond = separateSheets (sheet.graphFrom (hops, depth + 1), sheet.movedFrom (hops, depth + 2), options, execution);
+    EXPECT_EQ (rowInCloud (*beyond, node), rows[point]);
+    const auto within = separateSheets (sheet.graphFrom (hops, depth), sheet.movedFrom (hops, depth + 1), options, execution);
+    at_the_depth += rowInCloud (*within, node) != rows[point];
+  }
+  EXPECT_GT (changed, 5);
+  EXPECT_GT (at_the_depth, 0);
+}
+} // namespace

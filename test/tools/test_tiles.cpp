@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field_values.h"
+#include "tiles_fixture.h"
+
+#include <cmath>
+
+using namespace pcl_normal_smoothing;
+
+TEST_F (Tiles, EveryPresetAndTileSize)
+{
+  saveCloud (wavyCloud (3000), "cloud.pcd");
+  for (const char* options : {"", "-preset fast", "-preset paper"})
+    for (const char* size : {"5000", "1000", "150"})
+      expectSame ("cloud.pcd", std::string ("-max_points ") + size, options);
+}
+
+TEST_F (Tiles, EveryWayOfTheChain)
+{
+  saveCloud (wavyCloud (1500), "cloud.pcd");
+  for (const char* options :
+       {"-normals hough -weights mixed -normal_iterations 3 -seed 7", "-preset paper -radius 0.9",
+        "-preset paper -k 20 -max_radius 0.5", "-weights threshold -point_iterations 0 -save_normals 1",
+        "-preset fast -radius 0.8 -save_normals 1", "-k 12", "-noise_sigma 0.05", "-point_spacing 0.25 -sheet_distance 0.3",
+        "-preset fast -max_displacement 0.01 -point_iterations 1", "-normals pca -k 20", "-point_iterations 0 -save_normals 1"})
+    expectSame ("cloud.pcd", "-max_points 200", options);
+}
+
+TEST_F (Tiles, ClustersOfUnevenDensityDuplicatesAndOutliers)
+{
+  saveCloud (clusters (), "cloud.pcd");
+  for (const char* options : {"", "-preset fast", "-preset paper", "-preset paper -k 20 -max_radius 0.05"})
+    for (const char* size : {"1000", "60"})
+      expectSame ("cloud.pcd", std::string ("-max_points ") + size, options);
+}
+
+TEST_F (Tiles, TiesAndPointsOnBorders)
+{
+  Cloud grid;
+  for (int i = 0; i < 900; ++i)
+    grid.push_back (Eigen::Vector3d (i % 30, i / 30, 0) / 4);
+  saveCloud (grid, "cloud.pcd");
+  for (const char* size : {"225", "30"}) {
+    expectSame ("cloud.pcd", std::string ("-max_points ") + size, "-preset paper -save_normals 1");
+    expectSame ("cloud.pcd", std::string ("-max_points ") + size, "-noise_sigma 0.1 -save_normals 1");
+  }
+}
+
+TEST_F (Tiles, CloseSheetsAreSeparatedAlike)
+{
+  saveCloud (closeSheets (), "cloud.pcd");
+  for (const char* options : {"", "-k 20 -save_normals 1", "-sheet_distance 0.04"})
+    expectSame ("cloud.pcd", "-max_points 300", options);
+  succeed ("pcl_normal_smoothing cloud.pcd separated.pcd");
+  succeed ("pcl_normal_smoothing cloud.pcd mixed.pcd -sheet_distance inf");
+  EXPECT_NE (contentOf (path ("separated.pcd")), contentOf (path ("mixed.pcd"))) << "the test is of no use";
+}
+
+TEST_F (Tiles, TilesOfOnePoint)
+{
+  savePcd (makeWave (), path ("wave.pcd"));
+  expectSame ("wave.pcd", "-max_points 1", "-preset fast");
+  const Ending plan = succeed ("pcl_normal_smoothing_tiles plan more.d wave.pcd -max_points 1 -preset fast");
+  EXPECT_NE (plan.out.find ("298 points in 298 tiles of at most 1\n"), std::string::npos) << plan.out;
+}
+
+TEST_F (Tiles, AllPointsInOnePlace)
+{
+  saveCloud (Cloud (500, {1, 2, 3}), "cloud.pcd");
+  const Ending whole = run ("pcl_normal_smoothing cloud.pcd whole.pcd");
+  succeed ("pcl_normal_smoothing_tiles plan tiles.d cloud.pcd -max_points 100");
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  const Ending merged = run ("pcl_normal_smoothing_tiles merge tiles.d -output merged.pcd");
+  EXPECT_EQ (whole.status, 3);
+  EXPECT_EQ (merged.status, 3);
+  EXPECT_NE (merged.err.find ("no point has a normal"), std::string::npos) << merged.err;
+  EXPECT_EQ (files ().count ("merged.pcd"), 0u);
+}
+
+TEST_F (Tiles, FewPoints)
+{
+  saveCloud (wavyCloud (10), "cloud.pcd"); // fewer than k
+  expectSame ("cloud.pcd", "-max_points 3", "");
+  expectSame ("cloud.pcd", "-max_points 3", "-preset paper");
+  saveCloud (wavyCloud (2), "two.pcd");
+  EXPECT_EQ (run ("pcl_normal_smoothing_tiles plan two.d two.pcd").status, 3);
+  EXPECT_EQ (files ().count ("two.d"), 0u);
+}
+
+TEST_F (Tiles, EveryFormatAndField)
+{
+  const tools::CloudFile wave = makeWave (), far = makeWave (pcl::PCLPointField::FLOAT64, {500000, 5400000, 300});
+  savePcd (wave, path ("binary.pcd"));
+  savePcd (wave, path ("ascii.pcd"), false);
+  savePcd (far, path ("far.pcd"));
+  tools::saveCloud (wave, path ("binary.ply"), tools::FileFormat::BINARY);
+  tools::saveCloud (wave, path ("ascii.ply"), tools::FileFormat::ASCII);
+  for (const char* name : {"binary.pcd", "ascii.pcd", "far.pcd", "binary.ply", "ascii.ply"})
+    for (const char* options : {"-preset fast", "-preset paper -save_normals 1"}) {
+      expectSame (name, "-max_points 40", options);
+      expectSame (name, "-max_points 40", options, ".ply");
+      expectSame (name, "-max_points 40", options, ".pcd", "-format ascii");
+    }
+}
+
+TEST_F (Tiles, NormalsOfTheInput)
+{
+  saveCloud (wavyCloud (800), "cloud.pcd");
+  succeed ("pcl_hough_normal_estimation cloud.pcd normals.pcd");
+  for (const char* options : {"-normals input", "-normals input -oriented 1", "-normals input -oriented 1 -save_normals 1",
+                              "-normals input -preset paper -save_normals 1"})
+    expectSame ("normals.pcd", "-max_points 100", options);
+}
+
+TEST_F (Tiles, AnyUnit)
+{
+  for (const double unit : {1e-30, 1e-9, 1e12}) {
+    Cloud cloud = wavyCloud (600);
+    for (Eigen::Vector3d& point : cloud)
+      point *= unit;
+    saveCloud (cloud, "cloud.pcd");
+    for (const char* options : {"", "-preset paper"})
+      expectSame ("cloud.pcd", "-max_points 100", options);
+  }
+}
+
+TEST_F (Tiles, ManyFilesAreOneCloud)
+{
+  const Cloud cloud = wavyCloud (1200);
+  const auto part = [&] (int begin, int end) { return Cloud (cloud.begin () + begin, cloud.begin () + end); };
+  saveCloud (cloud, "cloud.pcd");
+  saveCloud (part (0, 500), "a.pcd");
+  saveCloud ({}, "b.pcd");
+  saveCloud (part (500, 900), "c.pcd");
+  saveCloud (part (900, 1200), "d.ply");
+  succeed ("pcl_normal_smoothing cloud.pcd whole.pcd");
+  succeed ("pcl_normal_smoothing_tiles plan tiles.d a.pcd b.pcd c.pcd d.ply -max_points 150");
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  succeed ("pcl_normal_smoothing_tiles merge tiles.d -output merged.pcd");
+  EXPECT_EQ (contentOf (path ("merged.pcd")), contentOf (path ("whole.pcd")));
+  succeed ("pcl_normal_smoothing_tiles merge tiles.d -output_dir merged.d");
+  std::string parts, whole;
+  for (const char* name : {"merged.d/a.pcd", "merged.d/b.pcd", "merged.d/c.pcd", "merged.d/d.ply"})
+    for (const char* field : {"x", "y", "z"})
+      whole += field + bytesOf (tools::loadCloud (path (name)), field);
+  for (const auto& [begin, end] : {std::pair (0, 500), std::pair (500, 500), std::pair (500, 900), std::pair (900, 1200)})
+    for (const char* field : {"x", "y", "z"})
+      parts += field + bytesOf (tools::loadCloud (path ("whole.pcd")), field)
+                           .substr (static_cast<std::size_t> (begin) * 4, static_cast<std::size_t> (end - begin) * 4);
+  EXPECT_EQ (parts, whole);
+}
+
+TEST_F (Tiles, DuplicatesAcrossFiles)
+{
+  Cloud cloud = wavyCloud (400);
+  saveCloud (cloud, "a.pcd");
+  saveCloud (cloud, "b.pcd");
+  cloud.insert (cloud.end (), cloud.begin (), cloud.begin () + 400);
+  saveCloud (cloud, "cloud.pcd");
+  succeed ("pcl_normal_smoothing cloud.pcd whole.pcd");
+  succeed ("pcl_normal_smoothing_tiles plan tiles.d a.pcd b.pcd -max_points 70");
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  succeed ("pcl_normal_smoothing_tiles merge tiles.d -output merged.pcd");
+  EXPECT_EQ (contentOf (path ("merged.pcd")), contentOf (path ("whole.pcd")));
+}
+
+TEST_F (Tiles, FilesOfTiles)
+{
+  savePcd (makeWave (), path ("wave.pcd"));
+  succeed ("pcl_normal_smoothing wave.pcd whole.pcd");
+  succeed ("pcl_normal_smoothing_tiles plan tiles.d wave.pcd -max_points 100");
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  succeed ("pcl_normal_smoothing_tiles merge tiles.d -tile_dir out.d");
+  std::multiset<std::string> points, expected;
+  const tools::CloudFile whole = readPcdFile (path ("whole.pcd"));
+  for (std::size_t i = 0; i < whole.size (); ++i)
+    if (positionOf (whole, i).allFinite ())
+      expected.insert (bytesOf (whole, "x").substr (4 * i, 4) + bytesOf (whole, "rgba").substr (4 * i, 4) +
+                       bytesOf (whole, "stamp").substr (8 * i, 8));
+  for (const char* name : {"out.d/tile_000000.pcd", "out.d/tile_000001.pcd", "out.d/tile_000002.pcd", "out.d/tile_000003.pcd"}) {
+    const tools::CloudFile tile = readPcdFile (path (name));
+    EXPECT_LE (tile.size (), 100u);
+    for (std::size_t i = 0; i < tile.size (); ++i)
+      points.insert (bytesOf (tile, "x").substr (4 * i, 4) + bytesOf (tile, "rgba").substr (4 * i, 4) +
+                     bytesOf (tile, "stamp").substr (8 * i, 8));
+  }
+  EXPECT_EQ (points, expected);
+}

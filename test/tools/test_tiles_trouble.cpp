@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tiles_fixture.h"
+
+#include <csignal>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+class TilesTrouble : public Tiles
+{
+protected:
+  void
+  SetUp () override
+  {
+    saveCloud (wavyCloud (900), "cloud.pcd");
+    succeed ("pcl_normal_smoothing cloud.pcd whole.pcd -preset fast");
+  }
+
+  void
+  plan (const std::string& options = "-max_points 200 -preset fast") const
+  {
+    succeed ("pcl_normal_smoothing_tiles plan tiles.d cloud.pcd " + options);
+  }
+
+  /** A message that holds all words, and no new file. */
+  void
+  expectRefused (const std::string& command, int status, const std::vector<std::string>& words) const
+  {
+    const std::set<std::string> before = files ();
+    const Ending result = run ("pcl_normal_smoothing_tiles " + command);
+    EXPECT_EQ (result.status, status) << command << "\n" << result.err;
+    for (const std::string& word : words)
+      EXPECT_NE (result.err.find (word), std::string::npos) << command << "\n" << result.err;
+    EXPECT_EQ (files (), before) << command;
+  }
+
+  void
+  expectMerged () const
+  {
+    succeed ("pcl_normal_smoothing_tiles merge tiles.d -output merged.pcd");
+    EXPECT_TRUE (contentOf (path ("merged.pcd")) == contentOf (path ("whole.pcd")));
+  }
+
+  /** Changes a byte in the middle of a file. */
+  void
+  damage (const std::string& name) const
+  {
+    std::string content = contentOf (path (name));
+    content[content.size () / 2] ^= 1;
+    writeText (path (name), content);
+  }
+
+  /** Runs a tool where files cannot grow beyond some blocks of 512 bytes: as on a full disk. */
+  Ending
+  runOnFullDisk (const std::string& command, int blocks) const
+  {
+    return waitFor (startTool ({"/bin/sh", "-c",
+                                "cd " + folder_ + "; ulimit -f " + std::to_string (blocks) + "; exec " TOOLS_FOLDER
+                                "/pcl_normal_smoothing_tiles " + command},
+                               folder_),
+                    folder_);
+  }
+
+  std::set<std::string>
+  filesIn (const std::string& folder) const
+  {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator (path (folder)))
+      names.insert (entry.path ().filename ().string ());
+    return names;
+  }
+};
+} // namespace
+
+TEST_F (TilesTrouble, WrongUsage)
+{
+  expectRefused ("", 1, {"2 or more"});
+  expectRefused ("walk tiles.d", 1, {"no step 'walk'"});
+  expectRefused ("plan tiles.d", 1, {"no file is given"});
+  expectRefused ("plan tiles.d cloud.pcd -k 8 -radius 2", 1, {"-k and -radius"});
+  expectRefused ("plan tiles.d cloud.pcd -tile 3", 1, {"-tile is none of plan"});
+  expectRefused ("run tiles.d -k 8", 1, {"-k is none of run"});
+  expectRefused ("run tiles.d -tile 3x", 1, {"3x"});
+  expectRefused ("run tiles.d -tile 5-3", 1, {"5-3"});
+  plan ();
+  expectRefused ("run tiles.d cloud.pcd", 1, {"plan only"});
+  expectRefused ("run tiles.d -tile 99", 1, {"no tile 99"});
+  expectRefused ("merge tiles.d", 1, {"-output_dir"});
+  expectRefused ("merge tiles.d -output out.pcd -tile_dir out.d", 1, {"one of"});
+  expectRefused ("merge tiles.d -output out.pcd -format compressed", 1, {"compressed"});
+  expectRefused ("merge tiles.d -output out.xyz", 2, {"no complete result"});
+}
+
+TEST_F (TilesTrouble, SourcesThatDoNotGoTogether)
+{
+  savePcd (makeWave (), path ("wave.pcd"));
+  expectRefused ("plan tiles.d cloud.pcd wave.pcd", 2, {path ("wave.pcd"), path ("cloud.pcd"), "intensity", "histogram"});
+  expectRefused ("plan tiles.d wave.pcd cloud.pcd", 2, {"intensity"});
+  expectRefused ("plan tiles.d cloud.pcd cloud.pcd", 2, {"twice"});
+  expectRefused ("plan tiles.d none.pcd", 2, {path ("none.pcd"), "No such file"});
+  expectRefused ("plan tiles.d cloud.pcd -normals input", 3, {"normal_x"});
+  succeed ("pcl_normal_smoothing cloud.pcd packed.pcd -format compressed");
+  expectRefused ("plan tiles.d packed.pcd", 2, {"compressed", "pcl_convert_pcd_ascii_binary"});
+  std::string cut = contentOf (path ("cloud.pcd"));
+  cut.resize (cut.size () - 100);
+  writeText (path ("cut.pcd"), cut);
+  expectRefused ("plan tiles.d cloud.pcd cut.pcd", 2, {path ("cut.pcd"), "truncated"});
+}
+
+TEST_F (TilesTrouble, FoldersThatHoldOtherThings)
+{
+  fs::create_directory (path ("tiles.d"));
+  writeText (path ("tiles.d/thesis.txt"), "precious");
+  expectRefused ("plan tiles.d cloud.pcd", 2, {"other files", "thesis.txt"});
+  EXPECT_EQ (contentOf (path ("tiles.d/thesis.txt")), "precious");
+  expectRefused ("run tiles.d", 2, {"plan.json"});
+  expectRefused ("merge tiles.d -output out.pcd", 2, {"plan.json"});
+  expectRefused ("plan cloud.pcd cloud.pcd", 2, {path ("cloud.pcd")});
+}
+
+TEST_F (TilesTrouble, TilesThatAreMissingOrDamagedAreListedAndRunAgain)
+{
+  plan ();
+  expectRefused ("merge tiles.d -output merged.pcd", 2, {"5 of 5 tiles", ": 0 1 2 3 4"});
+  succeed ("pcl_normal_smoothing_tiles run tiles.d -tile 1-3");
+  EXPECT_EQ (succeed ("pcl_normal_smoothing_tiles list tiles.d").out, "0\n4\n");
+  expectRefused ("merge tiles.d -output merged.pcd", 2, {"2 of 5 tiles", ": 0 4"});
+  succeed ("pcl_normal_smoothing_tiles run tiles.d -tile 0/2");
+  expectMerged ();
+  damage ("tiles.d/tile_000002.result");
+  expectRefused ("merge tiles.d -output again.pcd", 2, {"1 of 5 tiles", ": 2"});
+  const Ending again = succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  EXPECT_NE (again.out.find ("tile 1: done before"), std::string::npos) << again.out;
+  EXPECT_NE (again.out.find ("tile 2: 1"), std::string::npos) << again.out;
+  EXPECT_NE (again.out.find ("tile 3: done before"), std::string::npos) << again.out;
+  expectMerged ();
+  fs::resize_file (path ("tiles.d/tile_000003.result"), 500);
+  EXPECT_EQ (succeed ("pcl_normal_smoothing_tiles list tiles.d").out, "3\n");
+}
+
+TEST_F (TilesTrouble, DamagedPlans)
+{
+  plan ();
+  damage ("tiles.d/tile_000001.points");
+  const Ending damaged = run ("pcl_normal_smoothing_tiles run tiles.d -tile 1");
+  EXPECT_EQ (damaged.status, 2) << damaged.err;
+  EXPECT_NE (damaged.err.find ("tile_000001.points: is damaged"), std::string::npos) << damaged.err;
+  EXPECT_EQ (filesIn ("tiles.d").count ("tile_000001.result"), 0u);
+  fs::remove (path ("tiles.d/tile_000001.points"));
+  EXPECT_EQ (run ("pcl_normal_smoothing_tiles run tiles.d -tile 1").status, 2);
+  damage ("tiles.d/cells.bin");
+  expectRefused ("run tiles.d", 2, {"damaged"});
+  writeText (path ("tiles.d/plan.json"), "{}");
+  expectRefused ("run tiles.d", 2, {"is no plan"});
+}
+
+TEST_F (TilesTrouble, SourcesThatChange)
+{
+  plan ();
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  damage ("cloud.pcd");
+  expectRefused ("merge tiles.d -output merged.pcd", 2, {path ("cloud.pcd"), "has changed"});
+  damage ("cloud.pcd"); // and back again
+  expectMerged ();
+  fs::resize_file (path ("cloud.pcd"), 1000);
+  expectRefused ("merge tiles.d -output again.pcd", 2, {path ("cloud.pcd"), "has changed"});
+  fs::rename (path ("cloud.pcd"), path ("moved.pcd"));
+  expectRefused ("merge tiles.d -output again.pcd", 2, {path ("cloud.pcd"), "No such file"});
+}
+
+TEST_F (TilesTrouble, APlanIsKeptForTheSameFilesAndOptionsOnly)
+{
+  plan ();
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  const auto results = [&] { return filesIn ("tiles.d").count ("tile_000000.result"); };
+  const Ending again = succeed ("pcl_normal_smoothing_tiles plan tiles.d cloud.pcd -max_points 200 -preset fast");
+  EXPECT_NE (again.out.find ("planned before"), std::string::npos) << again.out;
+  EXPECT_EQ (results (), 1u);
+  plan ("-max_points 200 -preset paper");
+  EXPECT_EQ (results (), 0u);
+  plan ();
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  saveCloud (wavyCloud (901), "cloud.pcd");
+  plan ();
+  EXPECT_EQ (results (), 0u);
+}
+
+TEST_F (TilesTrouble, ResultsOfAnotherPlanDoNotCount)
+{
+  plan ("-max_points 200 -preset paper");
+  succeed ("pcl_normal_smoothing_tiles run tiles.d -tile 0");
+  fs::rename (path ("tiles.d/tile_000000.result"), path ("other.result"));
+  plan ();
+  fs::rename (path ("other.result"), path ("tiles.d/tile_000000.result"));
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  expectMerged ();
+}
+
+TEST_F (TilesTrouble, OutputsThatAreSources)
+{
+  plan ();
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  const std::string source = contentOf (path ("cloud.pcd"));
+  expectRefused ("merge tiles.d -output cloud.pcd", 2, {"was planned"});
+  expectRefused ("merge tiles.d -output_dir " + folder_, 2, {"was planned"});
+  EXPECT_EQ (contentOf (path ("cloud.pcd")), source);
+}
+
+TEST_F (TilesTrouble, FullDisk)
+{
+  const Ending planned = runOnFullDisk ("plan tiles.d cloud.pcd -max_points 200 -preset fast", 4);
+  EXPECT_EQ (planned.status, 2) << planned.err;
+  EXPECT_EQ (files ().count ("tiles.d"), 0u);
+  plan ();
+  const std::set<std::string> before = filesIn ("tiles.d");
+  const Ending smoothed = runOnFullDisk ("run tiles.d", 4);
+  EXPECT_EQ (smoothed.status, 2) << smoothed.err;
+  EXPECT_EQ (filesIn ("tiles.d"), before);
+  succeed ("pcl_normal_smoothing_tiles run tiles.d");
+  for (const char* output : {"-output merged.pcd", "-output_dir merged.d", "-tile_dir merged.d"}) {
+    const Ending merged = runOnFullDisk (std::string ("merge tiles.d ") + output, 4);
+    EXPECT_EQ (merged.status, 2) << merged.err;
+    EXPECT_EQ (files ().count ("merged.pcd"), 0u);
+    EXPECT_TRUE (files ().count ("merged.d") == 0 || filesIn ("merged.d").empty ());
+  }
+  expectMerged ();
+}
+
+TEST_F (TilesTrouble, ManyRunsOfOneTileAtOnce)
+{
+  plan ("-max_points 2000 -preset fast");
+  for (int round = 0; round < 3; ++round) {
+    fs::remove (path ("tiles.d/tile_000000.result"));
+    std::vector<int> processes;
+    for (int i = 0; i < 6; ++i)
+      processes.push_back (
+          startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_tiles", "run", path ("tiles.d"), "-tile", "0"}, folder_));
+    for (const int process : processes)
+      EXPECT_EQ (waitFor (process, folder_).status, 0);
+    EXPECT_EQ (filesIn ("tiles.d"),
+               (std::set<std::string> {"cells.bin", "plan.json", "tile_000000.points", "tile_000000.result"}));
+    expectMerged ();
+  }
+}
+
+TEST_F (TilesTrouble, Interruption)
+{
+  saveCloud (wavyCloud (200000), "large.pcd");
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL})
+    for (int delay = 20; delay < 400; delay += 60) {
+      const int process = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_tiles", "plan", path ("large.d"),
+                                      path ("large.pcd"), "-max_points", "3000", "-threads", "1"},
+                                     folder_);
+      std::this_thread::sleep_for (std::chrono::milliseconds (delay));
+      kill (process, signal);
+      const Ending ending = waitFor (process, folder_);
+      EXPECT_EQ (ending.status, 128 + signal) << ending.err;
+      EXPECT_TRUE (signal == SIGKILL || files ().count ("large.d") == 0) << "signal " << signal << " after " << delay;
+      EXPECT_EQ (run ("pcl_normal_smoothing_tiles run large.d").status, 2) << "half a plan was taken for one";
+    }
+  plan ("-update paper -point_iterations 1000000 -max_points 2000");
+  const std::set<std::string> before = filesIn ("tiles.d");
+  const int process = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_tiles", "run", path ("tiles.d")}, folder_);
+  std::this_thread::sleep_for (std::chrono::milliseconds (500));
+  kill (process, SIGTERM);
+  EXPECT_EQ (waitFor (process, folder_).status, 143);
+  EXPECT_EQ (filesIn ("tiles.d"), before);
+}
