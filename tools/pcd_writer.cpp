@@ -43,8 +43,8 @@ pcdHeader (const CloudShape& shape, FileFormat format)
     counts += " " + std::to_string (std::max<std::size_t> (field.count, 1));
   }
   std::string text = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" + names + "\nSIZE" + sizes +
-                     "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " + std::to_string (shape.width) +
-                     "\nHEIGHT " + std::to_string (shape.height) + "\nVIEWPOINT";
+                     "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " + std::to_string (shape.width) + "\nHEIGHT " +
+                     std::to_string (shape.height) + "\nVIEWPOINT";
   const Eigen::Quaternionf& q = shape.orientation;
   for (const float number : {shape.origin[0], shape.origin[1], shape.origin[2], q.w (), q.x (), q.y (), q.z ()}) {
     text += ' ';

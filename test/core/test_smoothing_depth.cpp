@@ -88,7 +88,10 @@ struct Result
 };
 
 Result
-smoothedNode (const NeighborGraph::ConstPtr& graph, Positions nodes, const SmoothingOptions& options, std::uint32_t node)
+smoothedNode (const NeighborGraph::ConstPtr& graph,
+              Positions nodes,
+              const SmoothingOptions& options,
+              std::uint32_t node)
 {
   Vectors normals (graph->size (), Eigen::Vector3f (0.6f, 0, 0.8f)); // for NormalSource::INPUT
   smooth (graph, options, {}, Execution (2), nodes, normals);
@@ -179,7 +182,8 @@ twoSheets ()
   Sheet sheet (12, 0.2f);
   Vectors points = sheet.nodes.base;
   for (std::size_t i = 0; i < points.size (); ++i)
-    points[i].z () = static_cast<float> (i % 2) * 1.5f * spacing + 0.02f * spacing * static_cast<float> (gaussianNoise (7, i));
+    points[i].z () =
+        static_cast<float> (i % 2) * 1.5f * spacing + 0.02f * spacing * static_cast<float> (gaussianNoise (7, i));
   sheet.graph = NeighborGraph::build (asPositions (points), {12}, Execution (2));
   sheet.nodes = gather (asPositions (points), sheet.graph->order ());
   return sheet;
@@ -202,9 +206,11 @@ TEST (SmoothingDepthTest, OfTheSeparationOfSheets)
     const std::vector<int> hops = sheet.hopsFrom (node);
     changed += rows[point] != rowInCloud (*sheet.graph, node);
     // A row holds points up to a hop farther than the node that it is of.
-    const auto beyond = separateSheets (sheet.graphFrom (hops, depth + 1), sheet.movedFrom (hops, depth + 2), options, execution);
+    const auto beyond =
+        separateSheets (sheet.graphFrom (hops, depth + 1), sheet.movedFrom (hops, depth + 2), options, execution);
     EXPECT_EQ (rowInCloud (*beyond, node), rows[point]);
-    const auto within = separateSheets (sheet.graphFrom (hops, depth), sheet.movedFrom (hops, depth + 1), options, execution);
+    const auto within =
+        separateSheets (sheet.graphFrom (hops, depth), sheet.movedFrom (hops, depth + 1), options, execution);
     at_the_depth += rowInCloud (*within, node) != rows[point];
   }
   EXPECT_GT (changed, 5);

@@ -42,8 +42,10 @@ readInPieces (PointFile& file, std::size_t most)
 TEST_F (Tiles, PointsOneAfterTheOther)
 {
   const CloudFile wave = longWave ();
-  for (const auto& [name, format] : {std::pair ("binary.pcd", FileFormat::BINARY), {"ascii.pcd", FileFormat::ASCII},
-                                     {"binary.ply", FileFormat::BINARY}, {"ascii.ply", FileFormat::ASCII}}) {
+  for (const auto& [name, format] : {std::pair ("binary.pcd", FileFormat::BINARY),
+                                     {"ascii.pcd", FileFormat::ASCII},
+                                     {"binary.ply", FileFormat::BINARY},
+                                     {"ascii.ply", FileFormat::ASCII}}) {
     tools::saveCloud (wave, path (name), format);
     const CloudFile whole = loadCloud (path (name));
     PointFile file (path (name));

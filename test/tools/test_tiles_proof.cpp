@@ -94,8 +94,9 @@ searchPart (const Cubes& cubes, const core::NeighborQuery& query, const std::vec
   return result;
 }
 
-const std::vector<core::NeighborQuery> queries {
-    {8}, {40}, {0, 0.15f}, {12, 0.2f}, {0, 1.0f / 12}, {0, 1.0f / 12 + 1e-6f}, {6}};
+const std::vector<core::NeighborQuery> queries {{8},        {40},           {0, 0.15f},
+                                                {12, 0.2f}, {0, 1.0f / 12}, {0, 1.0f / 12 + 1e-6f},
+                                                {6}};
 } // namespace
 
 TEST (TilesProof, NoWrongRowIsTakenForCertain)

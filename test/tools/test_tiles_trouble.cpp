@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles_fixture.h"
 
-#include <csignal>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
@@ -60,8 +60,8 @@ protected:
   runOnFullDisk (const std::string& command, int blocks) const
   {
     return waitFor (startTool ({"/bin/sh", "-c",
-                                "cd " + folder_ + "; ulimit -f " + std::to_string (blocks) + "; exec " TOOLS_FOLDER
-                                "/pcl_normal_smoothing_tiles " + command},
+                                "cd " + folder_ + "; ulimit -f " + std::to_string (blocks) +
+                                    "; exec " TOOLS_FOLDER "/pcl_normal_smoothing_tiles " + command},
                                folder_),
                     folder_);
   }
@@ -99,7 +99,8 @@ TEST_F (TilesTrouble, WrongUsage)
 TEST_F (TilesTrouble, SourcesThatDoNotGoTogether)
 {
   savePcd (makeWave (), path ("wave.pcd"));
-  expectRefused ("plan tiles.d cloud.pcd wave.pcd", 2, {path ("wave.pcd"), path ("cloud.pcd"), "intensity", "histogram"});
+  expectRefused ("plan tiles.d cloud.pcd wave.pcd", 2,
+                 {path ("wave.pcd"), path ("cloud.pcd"), "intensity", "histogram"});
   expectRefused ("plan tiles.d wave.pcd cloud.pcd", 2, {"intensity"});
   expectRefused ("plan tiles.d cloud.pcd cloud.pcd", 2, {"twice"});
   expectRefused ("plan tiles.d none.pcd", 2, {path ("none.pcd"), "No such file"});

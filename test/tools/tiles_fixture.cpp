@@ -82,9 +82,9 @@ Tiles::clusters ()
       cloud.push_back (center + radius * (1 + 0.02 * normal (random)) * direction);
     }
   };
-  addBall ({0, 0, 0}, 1, 1200);
-  addBall ({40, 3, 1}, 0.2, 700);
-  addBall ({41, 3, 1}, 3, 300);
+  addBall ({0, 0, 0}, 1, 600);
+  addBall ({40, 3, 1}, 0.2, 350);
+  addBall ({41, 3, 1}, 3, 200);
   addBall ({-500, 80, 20}, 1, 9); // fewer than k
   addBall ({0.5, 0, 900}, 0.1, 1);
   addBall ({0, -7, 0}, 0.01, 250);
@@ -100,10 +100,10 @@ Tiles::Cloud
 Tiles::closeSheets ()
 {
   std::mt19937 random (19);
-  std::uniform_real_distribution<double> place (0, 1);
+  std::uniform_real_distribution<double> place (0, 0.8);
   std::normal_distribution<double> noise (0, 0.006);
   Cloud cloud;
-  for (int i = 0; i < 2400; ++i)
+  for (int i = 0; i < 1600; ++i)
     cloud.emplace_back (place (random), place (random), 0.055 * (i % 2) + noise (random));
   return cloud;
 }

@@ -35,7 +35,8 @@ Partition::split (Point begin, Point end, std::size_t parts)
   double border = (*middle)[axis];
   if (border == box.min ()[axis]) { // then none would lie below: take the next that is larger
     border = box.max ()[axis];
-    std::for_each (begin, end, [&] (const auto& p) { border = p[axis] > box.min ()[axis] ? std::min (border, p[axis]) : border; });
+    std::for_each (begin, end,
+                   [&] (const auto& p) { border = p[axis] > box.min ()[axis] ? std::min (border, p[axis]) : border; });
   }
   middle = std::partition (begin, end, [&] (const auto& point) { return point[axis] < border; });
   nodes_[node].axis = axis;

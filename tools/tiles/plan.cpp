@@ -30,10 +30,8 @@ shapeAsJson (const CloudShape& shape)
 {
   Json fields = Json::array ();
   for (const auto& field : shape.fields)
-    fields.push_back ({{"name", field.name},
-                       {"offset", field.offset},
-                       {"datatype", field.datatype},
-                       {"count", field.count}});
+    fields.push_back (
+        {{"name", field.name}, {"offset", field.offset}, {"datatype", field.datatype}, {"count", field.count}});
   const auto& o = shape.origin;
   const auto& q = shape.orientation;
   return {{"width", shape.width},

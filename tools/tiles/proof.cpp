@@ -19,7 +19,10 @@ class Walk
 {
 public:
   Walk (const Neighborhoods& neighborhoods, const Depth& depth)
-  : all_ (neighborhoods), depth_ (depth), seen_ (neighborhoods.searched.size ()), gaps_ (neighborhoods.plan.cells.size (), -1)
+  : all_ (neighborhoods)
+  , depth_ (depth)
+  , seen_ (neighborhoods.searched.size ())
+  , gaps_ (neighborhoods.plan.cells.size (), -1)
   {}
 
   std::vector<Doubt>

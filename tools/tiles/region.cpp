@@ -13,7 +13,7 @@ namespace tools
 namespace
 {
 // A walk takes the long hops.
-constexpr double hop_lengths = 1.1;
+constexpr double hop_lengths = 1.2;
 
 double
 farthest (const Eigen::Vector3d& place, const Eigen::AlignedBox3d& box)
@@ -28,7 +28,8 @@ hopLength (const std::vector<Cell>& cells, std::size_t cell)
   std::vector<float> reaches;
   for (std::size_t i = cell < 2 ? 0 : cell - 2; i < std::min (cell + 3, cells.size ()); ++i)
     reaches.push_back (cells[i].reach);
-  std::nth_element (reaches.begin (), reaches.begin () + static_cast<std::ptrdiff_t> (reaches.size () / 2), reaches.end ());
+  std::nth_element (reaches.begin (), reaches.begin () + static_cast<std::ptrdiff_t> (reaches.size () / 2),
+                    reaches.end ());
   return hop_lengths * static_cast<double> (reaches[reaches.size () / 2]);
 }
 } // namespace
@@ -38,11 +39,11 @@ Region::Region (const Plan& plan, const core::NeighborQuery& query, const core::
 {}
 
 void
-Region::load (const std::vector<std::uint32_t>& cells, const IsWanted& is_wanted, const Depth& depth)
+Region::load (const std::vector<Place>& places, const IsWanted& is_wanted, const Depth& depth)
 {
-  for (const std::uint32_t cell : cells)
-    markLoaded (cell);
-  loadAround (cells, depth.rows + 1 + std::max (depth.separation, 0));
+  for (const Place& place : places)
+    markLoaded (place.cell);
+  loadAround (places, depth.rows + 1 + std::max (depth.separation, 0));
   bool proven = false;
   while (!proven) {
     graph_ = searched_ = nullptr;
@@ -50,6 +51,17 @@ Region::load (const std::vector<std::uint32_t>& cells, const IsWanted& is_wanted
     search (is_wanted, depth);
     proven = !loadAround (findDoubts (neighborhoods (), wanted_, depth));
   }
+}
+
+void
+Region::loadTile (std::size_t tile, const Depth& depth)
+{
+  const Tile& cells = plan_.tiles[tile];
+  std::vector<Place> places;
+  for (std::uint32_t cell = cells.first_cell; cell < cells.first_cell + cells.cells; ++cell)
+    places.push_back ({cell, plan_.cells[cell].box});
+  load (
+      places, [&] (std::uint32_t cell, std::uint64_t) { return plan_.cells[cell].tile == tile; }, depth);
 }
 
 Neighborhoods
@@ -77,10 +89,10 @@ Region::loadWithin (const Eigen::AlignedBox3d& box, double distance)
 }
 
 void
-Region::loadAround (const std::vector<std::uint32_t>& cells, int hops)
+Region::loadAround (const std::vector<Place>& places, int hops)
 {
-  for (const std::uint32_t cell : cells)
-    loadWithin (plan_.cells[cell].box, hops * hopLength (plan_.cells, cell));
+  for (const Place& place : places)
+    loadWithin (place.box, hops * hopLength (plan_.cells, place.cell));
 }
 
 bool
@@ -176,8 +188,8 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
     normals_ = readNormals ({record.normals (), records_.data (), size ()}, searched_->order ());
   graph_ = searched_;
   if (depth.separation >= 0)
-    graph_ = core::separateSheets (searched_, nodes_,
-                                   core::SmoothingPreparation::separation (plan_.options, normals_), execution_);
+    graph_ = core::separateSheets (searched_, nodes_, core::SmoothingPreparation::separation (plan_.options, normals_),
+                                   execution_);
   wanted_.clear ();
   for (std::uint32_t node = 0; node < searched_->size (); ++node) {
     const std::uint32_t i = searched_->order ()[node];

@@ -30,10 +30,21 @@ public:
   /** Whether a point is one of those that the computation is for. */
   using IsWanted = std::function<bool (std::uint32_t cell, std::uint64_t number)>;
 
-  /** \param[in] cells that hold the wanted points
+  /** Where wanted points lie: all those of a cell, or some. */
+  struct Place
+  {
+    std::uint32_t cell;
+    Eigen::AlignedBox3d box;
+  };
+
+  /** \param[in] places of the wanted points
     * \throw FileError where a file of points is damaged or missing */
   void
-  load (const std::vector<std::uint32_t>& cells, const IsWanted& is_wanted, const Depth& depth);
+  load (const std::vector<Place>& places, const IsWanted& is_wanted, const Depth& depth);
+
+  /** The same for all points of a tile. */
+  void
+  loadTile (std::size_t tile, const Depth& depth);
 
   std::size_t
   size () const
@@ -86,7 +97,7 @@ public:
 private:
   /** A guess. */
   void
-  loadAround (const std::vector<std::uint32_t>& cells, int hops);
+  loadAround (const std::vector<Place>& places, int hops);
 
   /** \return whether there was something to load */
   bool

@@ -42,8 +42,8 @@ SpillFile::flush (Heap& heap)
 {
   std::size_t done = 0;
   while (done < heap.buffer.size ()) {
-    const ssize_t written = pwrite (descriptor_, heap.buffer.data () + done, heap.buffer.size () - done,
-                                    static_cast<off_t> (end_ + done));
+    const ssize_t written =
+        pwrite (descriptor_, heap.buffer.data () + done, heap.buffer.size () - done, static_cast<off_t> (end_ + done));
     if (written < 0 && errno != EINTR)
       fail ("a temporary file cannot be written there");
     done += written > 0 ? static_cast<std::size_t> (written) : 0;

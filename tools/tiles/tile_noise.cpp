@@ -4,7 +4,6 @@
 #include "region.h"
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_set>
 
 namespace pcl_normal_smoothing
@@ -43,13 +42,9 @@ public:
   {
     if (plan_.query.k > 0 && plan_.query.k < shortest ())
       return true;
-    for (const Tile& tile : plan_.tiles) {
-      std::vector<std::uint32_t> cells (tile.cells);
-      std::iota (cells.begin (), cells.end (), tile.first_cell);
+    for (std::size_t tile = 0; tile < plan_.tiles.size (); ++tile) {
       Region region (plan_, plan_.query, execution_);
-      const std::uint32_t number = plan_.cells[tile.first_cell].tile;
-      region.load (cells, [&] (std::uint32_t cell, std::uint64_t) { return plan_.cells[cell].tile == number; },
-                   separationDepth ());
+      region.loadTile (tile, separationDepth ());
       for (const std::uint32_t node : region.wanted ())
         if (region.graph ()->row (node).size () < shortest ())
           return true;
@@ -77,14 +72,15 @@ private:
     core::NoiseSample all;
     for (std::size_t begin = 0; begin < sample_.size ();) { // of one tile after the other
       std::size_t end = begin;
-      std::vector<std::uint32_t> cells;
+      std::vector<Region::Place> places;
       std::unordered_set<std::uint64_t> numbers;
       for (; end < sample_.size () && tileOf (end) == tileOf (begin); ++end) {
-        cells.push_back (sample_[end].cell);
+        places.push_back ({sample_[end].cell, Eigen::AlignedBox3d (sample_[end].place)});
         numbers.insert (sample_[end].number);
       }
       Region region (plan_, query, execution_);
-      region.load (cells, [&] (std::uint32_t, std::uint64_t number) { return numbers.count (number) > 0; }, depth);
+      region.load (
+          places, [&] (std::uint32_t, std::uint64_t number) { return numbers.count (number) > 0; }, depth);
       all.join (core::sampleNoise (*region.graph (), region.nodes (), region.wanted (), execution_));
       begin = end;
     }

@@ -79,8 +79,8 @@ private:
     plan_.record = RecordLayout (position_bytes, reads_normals ? bytesOf (*normals_) : 0);
     if (request_.save_normals)
       addNormalFields (cloud);
-    plan_.result = RecordLayout (
-        position_bytes, request_.save_normals ? bytesOf (normalLayoutOf (cloud, normals_advice)) : 0);
+    plan_.result =
+        RecordLayout (position_bytes, request_.save_normals ? bytesOf (normalLayoutOf (cloud, normals_advice)) : 0);
     if (sources_.size () == 0)
       throw core::Error ("the cloud is empty: give one that samples a surface");
   }
@@ -183,9 +183,8 @@ private:
     // Cells of some hundreds of points, enough to tell how far the neighbours are, but not so many cells that their list grows
     // beyond measure.
     const std::uint64_t most_cells = std::max<std::uint64_t> (request_.memory / 8 / (3 * sizeof (Cell)), 1024);
-    const std::uint64_t cell_points =
-        std::max ({std::min<std::uint64_t> (maxPoints () / 256, 384), 2 * std::uint64_t (plan_.query.k) + 1,
-                   plan_.points / most_cells});
+    const std::uint64_t cell_points = std::max ({std::min<std::uint64_t> (maxPoints () / 256, 256),
+                                                 2 * std::uint64_t (plan_.query.k) + 1, plan_.points / most_cells});
     TileWriter writer (plan_, maxPoints (), cell_points, execution_);
     // A heap that is larger than the sample made expect comes in pieces.
     const std::uint64_t piece = std::max<std::uint64_t> (request_.memory / 3 / (2 * plan_.record.bytes () + 64), 4096);
@@ -258,7 +257,7 @@ pointsWithin (std::uint64_t memory, const core::SmoothingOptions& options, const
   const double bytes = 250 + 4 * k;
   const double loaded = static_cast<double> (std::max (memory, 2 * program_bytes) - program_bytes) / bytes;
   // A square of a surface, with a halo along its sides; a hop goes as far as the k-th neighbour.
-  const double halo = 1.1 * (core::smoothingDepth (noisy) + 3) * std::sqrt (k / 3.14159);
+  const double halo = 1.2 * (core::smoothingDepth (noisy) + 3) * std::sqrt (k / 3.14159);
   const double side = std::max (std::sqrt (loaded) - 2 * halo, std::sqrt (loaded) / 2);
   return static_cast<std::uint64_t> (side * side);
 }

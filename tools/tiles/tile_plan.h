@@ -31,8 +31,7 @@ struct PlanRequest
   * \param[in] parameters makes a line of options of the options that were found, in the unit of the files
   * \throw FileError, core::Error */
 Plan
-makePlan (const PlanRequest& request,
-          const std::function<std::string (const core::SmoothingOptions&)>& parameters);
+makePlan (const PlanRequest& request, const std::function<std::string (const core::SmoothingOptions&)>& parameters);
 
 /** The plan that is in the folder, where it is one for that request and the files are as they were. */
 std::optional<Plan>

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pcl_normal_smoothing
 {
@@ -35,13 +34,11 @@ private:
   void
   load ()
   {
-    std::vector<std::uint32_t> cells (plan_.tiles[tile_].cells);
-    std::iota (cells.begin (), cells.end (), plan_.tiles[tile_].first_cell);
     Depth depth {core::smoothingDepth (plan_.options) - 1, -1};
     if (plan_.separate)
       depth.separation =
           core::separationDepth (core::SmoothingPreparation::separation (plan_.options, region_.normals ()));
-    region_.load (cells, [&] (std::uint32_t cell, std::uint64_t) { return plan_.cells[cell].tile == tile_; }, depth);
+    region_.loadTile (tile_, depth);
     selected_.resize (region_.size ());
     for (const std::uint32_t node : region_.wanted ())
       selected_[region_.graph ()->order ()[node]] = true;
@@ -54,8 +51,8 @@ private:
     displacements_ = nodes.offset;
     core::estimateFirstNormals (*region_.graph (), plan_.options, execution_, nodes, region_.normals ());
     const auto has_normal = [&] (std::uint32_t node) { return !std::isnan (region_.normals ()[node].x ()); };
-    with_normal_ = static_cast<std::uint64_t> (
-        std::count_if (region_.wanted ().begin (), region_.wanted ().end (), has_normal));
+    with_normal_ =
+        static_cast<std::uint64_t> (std::count_if (region_.wanted ().begin (), region_.wanted ().end (), has_normal));
     core::smoothByNormals (region_.graph (), plan_.options, {}, execution_, nodes, region_.normals ());
     for (std::size_t node = 0; node < nodes.size (); ++node)
       displacements_[node] = nodes.offset[node] - displacements_[node];

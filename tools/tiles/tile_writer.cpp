@@ -53,51 +53,57 @@ TileWriter::split (Range range, std::size_t most, std::vector<Range>& parts)
   split ({middle, range.end}, most, parts);
 }
 
-void
-TileWriter::writeTile (const std::vector<std::uint8_t>& records, Range range)
+std::vector<std::pair<TileWriter::Range, Cell>>
+TileWriter::makeCells (Range range)
 {
   constexpr std::size_t side_by_side = 16;
   std::vector<Range> parts;
   split (range, std::max (cell_points_, (range.end - range.begin) / side_by_side + 1), parts);
-  std::vector<std::vector<Range>> ranges (parts.size ());
-  std::vector<std::vector<Cell>> cells (parts.size ());
+  std::vector<std::vector<std::pair<Range, Cell>>> cells (parts.size ());
   core::parallelFor (
       parts.size (), execution_,
       [&] (std::size_t begin, std::size_t end) {
         for (std::size_t part = begin; part < end; ++part) {
-          split (parts[part], cell_points_, ranges[part]);
-          for (const Range& cell : ranges[part])
-            cells[part].push_back (makeCell (cell));
+          std::vector<Range> ranges;
+          split (parts[part], cell_points_, ranges);
+          for (const Range& cell : ranges)
+            cells[part].emplace_back (cell, makeCell (cell));
         }
       },
       1);
+  for (std::size_t part = 1; part < cells.size (); ++part)
+    cells.front ().insert (cells.front ().end (), cells[part].begin (), cells[part].end ());
+  return cells.front ();
+}
 
+void
+TileWriter::writeTile (const std::vector<std::uint8_t>& records, Range range)
+{
   Tile tile {range.end - range.begin, static_cast<std::uint32_t> (plan_.cells.size ()), 0};
-  OutputFile file (plan_.pointsPath (plan_.tiles.size ()));
+  const std::string path = plan_.pointsPath (plan_.tiles.size ());
+  OutputFile file (path);
   const std::size_t step = plan_.record.bytes ();
   std::uint64_t written = 0;
   std::string bytes;
-  for (std::size_t part = 0; part < parts.size (); ++part)
-    for (std::size_t c = 0; c < cells[part].size (); ++c) {
-      bytes.clear ();
-      const Range& cell_range = ranges[part][c];
-      for (std::size_t i = cell_range.begin; i < cell_range.end; ++i) {
-        const std::uint8_t* record = &records[points_[i].record * step];
-        bytes.append (reinterpret_cast<const char*> (record), step);
-        if (in_sample_[points_[i].record])
-          sample_.push_back ({static_cast<std::uint32_t> (plan_.cells.size ()), RecordLayout::numberOf (record)});
-      }
-      Cell cell = cells[part][c];
-      cell.checksum = checksumOf (bytes);
-      cell.begin = written;
-      cell.tile = static_cast<std::uint32_t> (plan_.tiles.size ());
-      plan_.cells.push_back (cell);
-      file.write (bytes);
-      written += bytes.size ();
+  for (auto& [cell_range, cell] : makeCells (range)) {
+    bytes.clear ();
+    for (std::size_t i = cell_range.begin; i < cell_range.end; ++i) {
+      const std::uint8_t* record = &records[points_[i].record * step];
+      bytes.append (reinterpret_cast<const char*> (record), step);
+      if (in_sample_[points_[i].record])
+        sample_.push_back (
+            {static_cast<std::uint32_t> (plan_.cells.size ()), RecordLayout::numberOf (record), points_[i].place});
     }
+    cell.checksum = checksumOf (bytes);
+    cell.begin = written;
+    cell.tile = static_cast<std::uint32_t> (plan_.tiles.size ());
+    plan_.cells.push_back (cell);
+    file.write (bytes);
+    written += bytes.size ();
+  }
   tile.cells = static_cast<std::uint32_t> (plan_.cells.size ()) - tile.first_cell;
   plan_.tiles.push_back (tile);
-  removeOnInterruption (plan_.pointsPath (plan_.tiles.size () - 1));
+  removeOnInterruption (path);
   file.commit ();
 }
 

@@ -12,6 +12,7 @@ struct SamplePoint
 {
   std::uint32_t cell;
   std::uint64_t number;
+  Eigen::Vector3d place;
 };
 
 /** Parts points in tiles and cells, writes the files of tiles, and notes them in the plan. */
@@ -52,6 +53,10 @@ private:
 
   void
   writeTile (const std::vector<std::uint8_t>& records, Range tile);
+
+  /** The cells of a tile, side by side. */
+  std::vector<std::pair<Range, Cell>>
+  makeCells (Range range);
 
   Cell
   makeCell (Range range);

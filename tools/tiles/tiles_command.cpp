@@ -25,7 +25,8 @@ constexpr double gigabyte = 1e9;
 std::uint64_t
 halfOfMemory ()
 {
-  return static_cast<std::uint64_t> (sysconf (_SC_PHYS_PAGES)) * static_cast<std::uint64_t> (sysconf (_SC_PAGESIZE)) / 2;
+  return static_cast<std::uint64_t> (sysconf (_SC_PHYS_PAGES)) * static_cast<std::uint64_t> (sysconf (_SC_PAGESIZE)) /
+         2;
 }
 
 /** "3", "3-5" or "3/8": numbers before and behind what parts them; false where the text is none of these. */
@@ -54,16 +55,18 @@ void
 TilesCommand::addOptions (Options& options)
 {
   options.describe (
-      std::string ("Smooths clouds of any size in tiles: gives, to the bit, what pcl_normal_smoothing would give for all of it.\n"
-                   "plan parts the points of some files in tiles, run smooths them, one, some or all, on any number of machines "
-                   "that\nsee the folder, merge puts the files together again; list tells which tiles are still to be run. Every "
-                   "step can be\nrun again: what is done stays.\n") +
+      std::string (
+          "Smooths clouds of any size in tiles: gives, to the bit, what pcl_normal_smoothing would give for all of "
+          "it.\n"
+          "plan parts the points of some files in tiles, run smooths them, one, some or all, on any number of machines "
+          "that\nsee the folder, merge puts the files together again; list tells which tiles are still to be run. "
+          "Every "
+          "step can be\nrun again: what is done stays.\n") +
           presets_and_chain,
       {"plan|run|merge|list", "folder", "input.pcd|ply..."});
   options.add ("-memory", "G", "of plan and merge: gigabytes that they may take, and that run will have for a tile",
-               "half of this machine's", positiveOption ([this] (double size) {
-                 memory_ = static_cast<std::uint64_t> (size * gigabyte);
-               }));
+               "half of this machine's",
+               positiveOption ([this] (double size) { memory_ = static_cast<std::uint64_t> (size * gigabyte); }));
   addPlanOptions (options);
   addRunOptions (options);
   addMergeOptions (options);
@@ -82,24 +85,25 @@ TilesCommand::addPlanOptions (Options& options)
 void
 TilesCommand::addRunOptions (Options& options)
 {
-  options.add ("-tile", "I|I-J|I/N|all",
-               "of run: the tile of that number from 0 on, those from I to J, or every N-th from I on; a tile that is done is "
-               "left out",
-               "all", [this] (const std::string& text) {
-                 std::size_t first, second;
-                 char kind;
-                 if (text != "all" && !parseTiles (text, first, kind, second))
-                   throw UsageError ("'" + text + "' is not all, a number, two as 3-5, or two as 3/8, the first below");
-                 tiles_ = text;
-               });
+  options.add (
+      "-tile", "I|I-J|I/N|all",
+      "of run: the tile of that number from 0 on, those from I to J, or every N-th from I on; a tile that is done is "
+      "left out",
+      "all", [this] (const std::string& text) {
+        std::size_t first, second;
+        char kind;
+        if (text != "all" && !parseTiles (text, first, kind, second))
+          throw UsageError ("'" + text + "' is not all, a number, two as 3-5, or two as 3/8, the first below");
+        tiles_ = text;
+      });
 }
 
 void
 TilesCommand::addMergeOptions (Options& options)
 {
   const auto into = [] (std::string& text) { return [&text] (const std::string& given) { text = given; }; };
-  options.add ("-output_dir", "B", "of merge: write the files that were given to plan, by their names, to this folder", "none",
-               into (merge_.output_folder));
+  options.add ("-output_dir", "B", "of merge: write the files that were given to plan, by their names, to this folder",
+               "none", into (merge_.output_folder));
   options.add ("-output", "F.pcd|ply", "of merge: write one file, the points of all files in their order", "none",
                into (merge_.output));
   options.add ("-tile_dir", "T", "of merge: write a file for every tile, without points that are not finite", "none",
@@ -185,7 +189,8 @@ TilesCommand::chosenTiles (std::size_t count) const
     second = count - 1;
   }
   else if (second >= count)
-    throw UsageError ("there is no tile " + std::to_string (second) + ": the last one is " + std::to_string (count - 1));
+    throw UsageError ("there is no tile " + std::to_string (second) + ": the last one is " +
+                      std::to_string (count - 1));
   std::vector<std::size_t> tiles;
   for (std::size_t tile = first; tile <= second; tile += step)
     tiles.push_back (tile);
