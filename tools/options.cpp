@@ -40,6 +40,12 @@ finiteNumber (const std::string& text)
 }
 } // namespace
 
+std::string
+version ()
+{
+  return PCL_NORMAL_SMOOTHING_VERSION;
+}
+
 OptionReader
 integerOption (std::int64_t least, std::int64_t most, const std::function<void (std::int64_t)>& use)
 {
@@ -127,6 +133,13 @@ Options::given (const std::string& name) const
   return std::any_of (options_.begin (), options_.end (), [&] (const auto& o) { return o.name == name && o.given; });
 }
 
+std::string
+Options::valueOf (const std::string& name) const
+{
+  const auto found = std::find_if (options_.begin (), options_.end (), [&] (const auto& o) { return o.name == name; });
+  return found == options_.end () ? std::string () : found->value;
+}
+
 std::map<std::string, std::string>
 Options::given () const
 {
@@ -148,9 +161,13 @@ Options::parse (int argc, char** argv)
 {
   const std::string tool = std::filesystem::path (argv[0]).filename ().string ();
   const std::vector<std::string> words (argv + 1, argv + argc);
-  if (std::find (words.begin (), words.end (), "-h") != words.end () ||
-      std::find (words.begin (), words.end (), "--help") != words.end ()) {
+  const auto asked = [&] (const char* word) { return std::find (words.begin (), words.end (), word) != words.end (); };
+  if (asked ("-h") || asked ("--help")) {
     printHelp (tool);
+    return false;
+  }
+  if (asked ("-version") || asked ("--version")) {
+    std::printf ("%s %s\n", tool.c_str (), version ().c_str ());
     return false;
   }
   for (std::size_t i = 0; i < words.size (); ++i) {
@@ -198,10 +215,15 @@ Options::checkFiles (const std::string& tool) const
     return;
   const std::string last = file_roles_.empty () ? "" : file_roles_.back ();
   const bool any_more = last.size () > 3 && last.substr (last.size () - 3) == "...";
-  const std::size_t needed = file_roles_.size () - (any_more ? 1 : 0);
-  if (files_.size () < needed || (files_.size () > needed && !any_more))
+  const bool one_more = !last.empty () && last.front () == '[';
+  const std::size_t needed = file_roles_.size () - (any_more || one_more ? 1 : 0);
+  const std::size_t most = any_more ? files_.size () : file_roles_.size ();
+  if (files_.size () < needed || files_.size () > most)
     throw UsageError (std::to_string (files_.size ()) + " file names are given, " + std::to_string (needed) +
-                      (any_more ? " or more" : "") + " are needed\n" + usage (tool));
+                      (any_more   ? " or more"
+                       : one_more ? " or " + std::to_string (most)
+                                  : "") +
+                      " are needed\n" + usage (tool));
 }
 
 std::string
@@ -226,13 +248,14 @@ Options::printHelp (const std::string& tool) const
   // The words and blanks by which help2man tells the parts of a man page.
   const std::string synopsis = "U" + usage (tool).substr (1);
   std::printf ("%s\n\n%s\n\nOptions, before or after the file names:\n", purpose_.c_str (), synopsis.c_str ());
-  std::size_t width = 2;
+  std::size_t width = 8; // of -version
   for (const Option& option : options_)
     width = std::max (width, option.name.size () + 1 + option.value.size ());
   for (const Option& option : options_)
     std::printf ("  %-*s  %s (default: %s)\n", static_cast<int> (width), (option.name + " " + option.value).c_str (),
                  option.help.c_str (), option.standard.c_str ());
-  std::printf ("  %-*s  this help\n", static_cast<int> (width), "-h");
+  std::printf ("  %-*s  this help\n  %-*s  the version\n", static_cast<int> (width), "-h", static_cast<int> (width),
+               "-version");
   std::printf (
       "\nexit status: 0 done, 1 wrong usage, 2 a file cannot be read or written, 3 the data cannot be worked on,\n"
       "130 or 143 interrupted; nothing is written then.\n");

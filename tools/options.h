@@ -12,6 +12,10 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
+/** This project's version. */
+std::string
+version ();
+
 /** Takes the text behind an option. \throw UsageError that says what would have been right */
 using OptionReader = std::function<void (const std::string& text)>;
 
@@ -77,7 +81,7 @@ class Options
 public:
   /** \param[in] purpose what the tool does, for the help
     * \param[in] files names of the files that it is given, in order; a last one that ends in "..." stands for any
-    *            number of files, none as well */
+    *            number of files, none as well, one in brackets for a file that may be missing */
   void
   describe (const std::string& purpose, const std::vector<std::string>& files);
 
@@ -92,7 +96,7 @@ public:
        const std::string& standard,
        const OptionReader& reader);
 
-  /** \return false where the help was asked for, and has been printed
+  /** \return false where the help or the version was asked for, and has been printed
     * \throw UsageError for an unknown option, a missing or bad value, a missing or needless file name */
   bool
   parse (int argc, char** argv);
@@ -108,6 +112,10 @@ public:
   /** The options of the command line, each with its text. */
   std::map<std::string, std::string>
   given () const;
+
+  /** What add() was told to write for the value of an option; empty where there is no such option. */
+  std::string
+  valueOf (const std::string& name) const;
 
   /** A file name of the command line; empty before parse() has found it. */
   std::string

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smoothing_error.h"
 
+#include "mesh_distance.h"
+
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 #include <pcl_normal_smoothing/core/surface_estimation.h>
 #include <pcl_normal_smoothing/vector_layout.h>
-
-#include <vtkCellArray.h>
-#include <vtkGenericCell.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStaticCellLocator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,24 +20,6 @@ namespace
 using Points = std::vector<Eigen::Vector3d>;
 
 constexpr double pi = 3.14159265358979324;
-
-/** The mesh for VTK, moved by -\a origin: far from zero its tolerances would be those of large numbers. */
-vtkNew<vtkPolyData>
-toVtk (const Mesh& mesh, const Eigen::Vector3d& origin)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble ();
-  for (const Eigen::Vector3d& vertex : mesh.vertices)
-    points->InsertNextPoint (Eigen::Vector3d (vertex - origin).data ());
-  vtkNew<vtkCellArray> cells;
-  for (const Mesh::Triangle& t : mesh.triangles)
-    cells->InsertNextCell (
-        {static_cast<vtkIdType> (t[0]), static_cast<vtkIdType> (t[1]), static_cast<vtkIdType> (t[2])});
-  vtkNew<vtkPolyData> data;
-  data->SetPoints (points);
-  data->SetPolys (cells);
-  return data;
-}
 
 /** The surface variation of every point. */
 std::vector<double>
@@ -81,22 +58,14 @@ meanOf (const std::vector<double>& numbers)
 SurfaceDistance
 distanceToMesh (const Points& points, const Mesh& mesh)
 {
-  const Eigen::Vector3d origin = mesh.vertices.front ();
-  const vtkNew<vtkPolyData> data = toVtk (mesh, origin);
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet (data);
-  locator->BuildLocator ();
-  vtkNew<vtkGenericCell> cell;
+  const MeshDistance distance (mesh);
   SurfaceDistance result;
   double sum = 0, sum_of_squares = 0;
   for (const Eigen::Vector3d& point : points) {
-    double closest[3], squared = 0;
-    vtkIdType cell_id;
-    int sub_id;
-    locator->FindClosestPoint (Eigen::Vector3d (point - origin).data (), closest, cell, cell_id, sub_id, squared);
-    sum += std::sqrt (squared);
-    sum_of_squares += squared;
-    result.max = std::max (result.max, std::sqrt (squared));
+    const double length = distance.of (point);
+    sum += length;
+    sum_of_squares += length * length;
+    result.max = std::max (result.max, length);
   }
   const auto count = static_cast<double> (points.size ());
   result.mean = sum / count;

@@ -21,28 +21,30 @@ SmoothingJob::addOptions (Options& options)
 void
 SmoothingJob::check () const
 {
-  search_.query (smoothing_.presetK ());
+  query ();
   checkOptions (smoothing_.options ());
 }
 
-CloudFile
-SmoothingJob::load (const std::string& input)
+void
+SmoothingJob::prepare (CloudFile& file) const
 {
-  CloudFile file = loadInput (input);
-  const std::size_t k = search_.query (smoothing_.presetK ()).k;
-  checkPointCount (core::finiteElements (readPositions (positionsOf (file))).size (), k);
+  checkPointCount (core::finiteElements (readPositions (positionsOf (file))).size (), query ().k);
   if (smoothing_.options ().normals == NormalSource::INPUT)
     normalLayoutOf (file, normals_advice);
-  if (smoothing_.getSaveNormals ())
-    addNormalFields (file);
-  return file;
+  if (!smoothing_.getSaveNormals ())
+    return;
+  file.cloud = pcl::make_shared<pcl::PCLPointCloud2> (*file.cloud);
+  addNormalFields (file);
 }
 
 void
-SmoothingJob::run (CloudFile& file, unsigned threads, const ProgressCallback& progress)
+SmoothingJob::run (CloudFile& file,
+                   unsigned threads,
+                   const ProgressCallback& progress,
+                   const core::NeighborGraph::ConstPtr& graph)
 {
-  const core::NeighborQuery query = search_.query (smoothing_.presetK ());
-  smoothing_.setKSearch (static_cast<int> (query.k));
+  smoothing_.setNeighborGraph (graph);
+  smoothing_.setKSearch (static_cast<int> (query ().k));
   smoothing_.setRadiusSearch (search_.radius);
   smoothing_.setMaxNeighborDistance (search_.max_radius);
   smoothing_.setNumberOfThreads (threads);
@@ -72,7 +74,8 @@ SmoothingJob::smooth (const std::string& input,
 {
   Stopwatch stopwatch;
   checkOutput (output, format_.format);
-  CloudFile file = load (input);
+  CloudFile file = loadInput (input);
+  prepare (file);
   const CloudFile noisy = file;
   stopwatch.lap ("read");
   run (file, threads, progress);

@@ -35,6 +35,37 @@ public:
   void
   check () const;
 
+  /** The neighbourhoods that the options ask for, in the cloud's unit. */
+  core::NeighborQuery
+  query () const
+  {
+    return search_.query (smoothing_.presetK ());
+  }
+
+  /** Of the output. */
+  FileFormat
+  format () const
+  {
+    return format_.format;
+  }
+
+  /** Makes a cloud ready to be smoothed: adds the fields of normals where they are to be saved, to a copy.
+    * \throw core::Error where it has too few points, or no normals where the options ask for the input's */
+  void
+  prepare (CloudFile& file) const;
+
+  /** Puts the smoothed cloud in the place of the cloud of \a file.
+    * \param[in] graph of query () over the cloud; empty: it is searched \throw core::Error */
+  void
+  run (CloudFile& file,
+       unsigned threads,
+       const ProgressCallback& progress,
+       const core::NeighborGraph::ConstPtr& graph = nullptr);
+
+  /** What the last run used, as options that give the same smoothing again. */
+  std::string
+  parameters () const;
+
   /** Threads that the user asked for, 0 = all cores. */
   unsigned
   threads () const
@@ -57,16 +88,6 @@ private:
   public:
     using SmoothingSettings::presetK;
   };
-
-  CloudFile
-  load (const std::string& input);
-
-  /** Puts the smoothed cloud in the place of the cloud of \a file. */
-  void
-  run (CloudFile& file, unsigned threads, const ProgressCallback& progress);
-
-  std::string
-  parameters () const;
 
   Smoothing smoothing_;
   SearchOptions search_;

@@ -24,12 +24,6 @@ Stopwatch::lap (const std::string& name)
   begin_ = now;
 }
 
-std::string
-version ()
-{
-  return PCL_NORMAL_SMOOTHING_VERSION;
-}
-
 Json
 parametersAsJson (const std::string& options)
 {

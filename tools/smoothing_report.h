@@ -35,10 +35,6 @@ private:
   Json laps_;
 };
 
-/** This project's version. */
-std::string
-version ();
-
 /** "-k 32 -seed 0" as {"k": 32, "seed": 0}. */
 Json
 parametersAsJson (const std::string& options);

@@ -16,6 +16,10 @@ run("${CMAKE_COMMAND}" -S "${WORK}/consumer" -B "${WORK}/build" -G "${GENERATOR}
 run("${CMAKE_COMMAND}" --build "${WORK}/build")
 run("${WORK}/build/smooth_cloud")
 
+# The components of the package, and what it refuses.
+run("${CMAKE_COMMAND}" -S "${COMPONENTS}" -B "${WORK}/components" -G "${GENERATOR}" "-DTOOLS=${TOOLS}"
+  "-DCMAKE_PREFIX_PATH=${WORK}/prefix" "-DPCL_DIR=${PCL_DIR}" "-DCMAKE_CXX_COMPILER=${COMPILER}")
+
 # pkg-config tells where it is, from wherever the prefix was moved to.
 find_program(PKG_CONFIG pkg-config)
 file(GLOB_RECURSE pc "${WORK}/prefix/*/pcl_normal_smoothing.pc")

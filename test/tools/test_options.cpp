@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field_values.h"
+#include "options.h"
+#include "tool_error.h"
 #include "tool_runner.h"
 
 #include <cmath>
@@ -129,6 +131,32 @@ TEST_F (Usage, HelpNamesEveryOptionWithItsDefault)
   }
   for (const std::string& tool : filters)
     EXPECT_EQ (succeed (tool + " anything.pcd -k -h").err, "");
+}
+
+TEST_F (Usage, EveryToolTellsItsVersion)
+{
+  for (const std::string tool :
+       {"pcl_normal_smoothing", "pcl_wpca_normal_estimation", "pcl_hough_normal_estimation",
+        "pcl_bilateral_normal_filter", "pcl_normal_guided_point_update", "pcl_add_surface_noise", "pcl_smoothing_error",
+        "pcl_surface_noise_estimation", "pcl_make_double_torus"})
+    for (const std::string option : {"-version", "--version"})
+      EXPECT_EQ (succeed (tool + " " + option).out, tool + " " PROJECT_VERSION "\n");
+}
+
+TEST_F (Usage, AFileInBracketsMayBeMissing)
+{
+  tools::Options options;
+  options.describe ("", {"cloud", "[mesh]"});
+  const auto filesOf = [&] (std::vector<const char*> words) {
+    tools::Options given = options;
+    words.insert (words.begin (), "tool");
+    given.parse (static_cast<int> (words.size ()), const_cast<char**> (words.data ()));
+    return given.file (0) + "," + given.file (1);
+  };
+  EXPECT_EQ (filesOf ({"a"}), "a,");
+  EXPECT_EQ (filesOf ({"a", "b"}), "a,b");
+  EXPECT_THROW (filesOf ({}), tools::UsageError);
+  EXPECT_THROW (filesOf ({"a", "b", "c"}), tools::UsageError);
 }
 
 TEST (FieldValues, TextReadsBackToTheSameBits)

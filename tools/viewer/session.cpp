@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer/session.h"
+
+#include "tool.h"
+
+#include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/robust_smoothing.h>
+#include <pcl_normal_smoothing/core/surface_estimation.h>
+#include <pcl_normal_smoothing/run_settings.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+namespace
+{
+constexpr int looks_k = 16;            // of curvature, and the noise that tells the spacing
+constexpr int normals_k = 8;           // few, that noise shows
+constexpr std::size_t most_graphs = 6; // 13 MB each, of 100,000 points with 32 neighbours
+
+/** The options as a command line. */
+void
+parse (Options& known, const std::map<std::string, std::string>& options)
+{
+  std::vector<std::string> words {"pcl_normal_smoothing_viewer"};
+  for (const auto& [name, text] : options)
+    words.insert (words.end (), {name, text});
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+    arguments.push_back (word.data ());
+  known.parse (static_cast<int> (arguments.size ()), arguments.data ());
+}
+} // namespace
+
+ViewerSession::ViewerSession (const std::string& cloud_path, const std::string& mesh_path)
+: file_ (loadInput (cloud_path)), cloud_ (readPositions (positionsOf (file_), core::Execution ()))
+{
+  checkPointCount (core::finiteElements (cloud_).size (), 0);
+  looks_ = core::NeighborGraph::build (cloud_, makeNeighborQuery (looks_k, 0, 0), core::Execution ());
+  noisy_ = smoothed_ = surfaceOf (file_);
+  spacing_ = core::estimateNoise (*looks_, noisy_.nodes, core::Execution ()).inCloudUnit (cloud_.unit).spacing;
+  if (!mesh_path.empty ())
+    useMesh (mesh_path);
+}
+
+void
+ViewerSession::useMesh (const std::string& path)
+{
+  const Mesh mesh = loadMesh (path);
+  mesh_distance_.emplace (mesh);
+  if (mesh.vertices.size () != looks_->size () || looks_->size () != file_.size ())
+    return;
+  std::vector<std::uint32_t> node_of (file_.size ());
+  for (std::uint32_t node = 0; node < looks_->size (); ++node)
+    node_of[looks_->order ()[node]] = node;
+  for (const auto& [a, b, c] : mesh.triangles)
+    triangles_.push_back ({node_of[a], node_of[b], node_of[c]});
+}
+
+Surface
+ViewerSession::surfaceOf (const CloudFile& file) const
+{
+  const core::Execution execution;
+  Surface surface;
+  surface.nodes = core::gather (readPositions (positionsOf (file), cloud_.unit, execution), looks_->order ());
+  surface.normals = core::startNormals (*looks_, surface.nodes, execution, normals_k);
+  return surface;
+}
+
+core::NeighborGraph::ConstPtr
+ViewerSession::graphFor (const core::NeighborQuery& query, unsigned threads)
+{
+  const auto kept = std::find_if (graphs_.begin (), graphs_.end (), [&] (const KeptGraph& other) {
+    return other.query.k == query.k && other.query.radius == query.radius;
+  });
+  if (kept != graphs_.end ())
+    graphs_.splice (graphs_.begin (), graphs_, kept);
+  else
+    graphs_.push_front (
+        {query, core::NeighborGraph::build (cloud_, query.inUnit (cloud_.unit), core::Execution (threads))});
+  if (graphs_.size () > most_graphs)
+    graphs_.pop_back ();
+  return graphs_.front ().graph;
+}
+
+void
+ViewerSession::smooth (const std::map<std::string, std::string>& options)
+{
+  SmoothingJob job;
+  Options known;
+  job.addOptions (known);
+  parse (known, options);
+  job.check ();
+  CloudFile result = file_;
+  job.prepare (result);
+  const auto begin = std::chrono::steady_clock::now ();
+  job.run (result, job.threads (), {}, graphFor (job.query (), job.threads ()));
+  seconds_ = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
+  parameters_ = job.parameters ();
+  smoothed_ = surfaceOf (result);
+  result_ = std::move (result);
+}
+
+std::vector<float>
+ViewerSession::values (const Surface& surface, Colouring colouring) const
+{
+  const core::Execution execution;
+  std::vector<float> numbers (surface.nodes.size ());
+  if (colouring == Colouring::CURVATURE) {
+    const auto surfaces = core::estimateSurfaces (*looks_, surface.nodes, core::pcaSurface, execution);
+    std::transform (surfaces.begin (), surfaces.end (), numbers.begin (), [] (const auto& s) { return s.variation; });
+    return numbers;
+  }
+  const core::Positions &from = noisy_.nodes, &to = smoothed_.nodes;
+  core::parallelFor (numbers.size (), execution, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      numbers[i] = colouring == Colouring::DISTANCE
+                       ? static_cast<float> (mesh_distance_->of (surface.position (i)))
+                       : static_cast<float> (from.unit *
+                                             ((to.base[i] - from.base[i]) + (to.offset[i] - from.offset[i])).norm ());
+  });
+  return numbers;
+}
+} // namespace tools
+} // namespace pcl_normal_smoothing

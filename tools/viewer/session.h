@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud_graph.h"
+#include "mesh_distance.h"
+#include "smoothing_job.h"
+
+#include <list>
+#include <map>
+#include <optional>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+/** What colours tell. */
+enum class Colouring
+{
+  DISPLACEMENT, //!< how far a point has moved
+  CURVATURE,    //!< surface variation, 0 to 1/3
+  DISTANCE      //!< to the mesh
+};
+
+/** A surface to draw: the finite points of a cloud, and normals to light them by. */
+struct Surface
+{
+  core::Positions nodes;
+  core::Vectors normals;
+
+  /** In the cloud's unit. */
+  Eigen::Vector3d
+  position (std::size_t i) const
+  {
+    return nodes.unit * (nodes.base[i].cast<double> () + nodes.offset[i].cast<double> ());
+  }
+};
+
+/** A cloud that is smoothed again and again. Neighbourhoods are searched once for every k and radius. */
+class ViewerSession
+{
+public:
+  /** \param[in] mesh_path the true surface; may be empty
+    * \throw FileError, core::Error */
+  ViewerSession (const std::string& cloud_path, const std::string& mesh_path);
+
+  /** Smooths the cloud. \param[in] options of the method, by their names
+    * \throw UsageError, core::Error: all stays as it was */
+  void
+  smooth (const std::map<std::string, std::string>& options);
+
+  const CloudFile&
+  smoothedCloud () const
+  {
+    return result_;
+  }
+
+  const Surface&
+  noisy () const
+  {
+    return noisy_;
+  }
+
+  const Surface&
+  smoothed () const
+  {
+    return smoothed_;
+  }
+
+  /** Where the sensor stood, as the file says. */
+  Eigen::Vector3d
+  viewpoint () const
+  {
+    return file_.origin.head<3> ().cast<double> ();
+  }
+
+  /** Distance between neighbouring points. */
+  double
+  spacing () const
+  {
+    return spacing_;
+  }
+
+  /** What the last smoothing used, as options that give it again. */
+  const std::string&
+  parameters () const
+  {
+    return parameters_;
+  }
+
+  /** How long the last smoothing took, the search of neighbours included. */
+  double
+  seconds () const
+  {
+    return seconds_;
+  }
+
+  bool
+  hasMesh () const
+  {
+    return mesh_distance_.has_value ();
+  }
+
+  /** Triangles between the nodes; none unless the mesh has a vertex for every point of the cloud. */
+  const std::vector<Mesh::Triangle>&
+  triangles () const
+  {
+    return triangles_;
+  }
+
+  /** A number for every node of a surface of this session, in the cloud's unit where it is a length. */
+  std::vector<float>
+  values (const Surface& surface, Colouring colouring) const;
+
+private:
+  void
+  useMesh (const std::string& path);
+
+  Surface
+  surfaceOf (const CloudFile& file) const;
+
+  /** The neighbourhoods that the options ask for. */
+  core::NeighborGraph::ConstPtr
+  graphFor (const core::NeighborQuery& query, unsigned threads);
+
+  struct KeptGraph
+  {
+    core::NeighborQuery query;
+    core::NeighborGraph::ConstPtr graph;
+  };
+
+  CloudFile file_, result_;
+  core::Positions cloud_;               // of file_
+  core::NeighborGraph::ConstPtr looks_; // for normals to light by, and curvature
+  Surface noisy_, smoothed_;
+  std::list<KeptGraph> graphs_; // the latest first
+  std::optional<MeshDistance> mesh_distance_;
+  std::vector<Mesh::Triangle> triangles_;
+  std::string parameters_;
+  double spacing_ = 0;
+  double seconds_ = 0;
+};
+} // namespace tools
+} // namespace pcl_normal_smoothing

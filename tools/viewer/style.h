@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/visualization/interactor_style.h>
+
+#include <functional>
+#include <string>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+/** PCL's mouse, and keys of one's own: PCL's would switch handlers that there are none of. */
+class ViewerStyle : public pcl::visualization::PCLVisualizerInteractorStyle
+{
+public:
+  static ViewerStyle*
+  New ();
+
+  vtkTypeMacro (ViewerStyle, pcl::visualization::PCLVisualizerInteractorStyle)
+
+      /** Called with a key's name, as X calls it. */
+      std::function<void (const std::string&)> pressed;
+
+protected:
+  void
+  OnKeyDown () override;
+
+  void
+  OnKeyUp () override
+  {}
+
+  void
+  OnChar () override
+  {}
+};
+} // namespace tools
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "viewer/extent.h"
+#include "viewer/surface_actor.h"
+
+#include <pcl/visualization/pcl_visualizer.h>
+
+#include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
+
+#include <array>
+
+namespace pcl_normal_smoothing
+{
+namespace tools
+{
+class ViewerStyle;
+
+/** How a window begins. */
+struct WindowSettings
+{
+  int width = 1600;
+  int height = 900;
+  /** A picture is all that is wanted of it. */
+  bool off_screen = false;
+
+  /** -width -height */
+  void
+  addTo (Options& options);
+};
+
+/** PCL's visualizer with two surfaces side by side, one camera for both, and a strip of text below them. */
+class ViewerWindow
+{
+public:
+  enum Side
+  {
+    LEFT,
+    RIGHT
+  };
+
+  /** \param[in] surface what there will be to see: the camera looks at it
+    * \param[in] viewpoint of the sensor
+    * \param[in] spacing of points, which are drawn as large as to close the gaps between them */
+  ViewerWindow (const WindowSettings& settings,
+                const Surface& surface,
+                const std::vector<Mesh::Triangle>& triangles,
+                const Eigen::Vector3d& viewpoint,
+                double spacing);
+
+  ~ViewerWindow ();
+
+  /** \param[in] title above it */
+  void
+  show (Side side, const Surface& surface, const std::vector<float>& values, double limit, const std::string& title);
+
+  /** The strip: \a left as it is, what the colours stand for, and what has to be said. */
+  void
+  setTexts (const std::string& left, const std::string& right, const std::string& colours);
+
+  /** Draws triangles, where there are some, or points. */
+  void
+  switchTriangles ();
+
+  /** Points of another size than the gaps between them ask for. */
+  void
+  scalePoints (double factor);
+
+  void
+  resetCamera ();
+
+  void
+  render ();
+
+  /** The picture as the bytes of a PNG file. */
+  std::string
+  picture ();
+
+  /** Calls \a pressed for every key, until close() or the user ends it. */
+  void
+  run (const std::function<void (const std::string& key)>& pressed);
+
+  void
+  close ();
+
+private:
+  void
+  addViews ();
+
+  void
+  addStrip ();
+
+  void
+  fitPoints ();
+
+  vtkRenderer*
+  renderer (int number) const;
+
+  vtkSmartPointer<vtkTextActor>
+  addText (int renderer, double x, double y, bool fixed_width);
+
+  Extent extent_;
+  Eigen::Vector3d viewpoint_;
+  double spacing_;
+  double point_scale_ = 1.7;
+  int font_size_;
+  bool triangles_ = true;
+  vtkSmartPointer<vtkLookupTable> colours_;
+  std::array<SurfaceActor, 2> surfaces_;
+  std::array<vtkSmartPointer<vtkTextActor>, 2> titles_;
+  vtkSmartPointer<vtkTextActor> left_text_, right_text_;
+  vtkSmartPointer<vtkScalarBarActor> bar_;
+  vtkSmartPointer<ViewerStyle> style_;
+  std::unique_ptr<pcl::visualization::PCLVisualizer> visualizer_;
+};
+} // namespace tools
+} // namespace pcl_normal_smoothing
