@@ -20,12 +20,12 @@ from summary import best_peer, entries
 WIDTH, COLOURS = 1000, 256
 
 
-def shrink(path, target):
+def shrink(path, target, width=WIDTH, colours=COLOURS):
     """Smaller in pixels and colours."""
     picture = PIL.Image.open(path).convert("RGB")
-    height = round(picture.height * WIDTH / picture.width)
-    picture = picture.resize((WIDTH, height), PIL.Image.LANCZOS)
-    picture.quantize(COLOURS, dither=PIL.Image.Dither.NONE).save(target, optimize=True)
+    height = round(picture.height * width / picture.width)
+    picture = picture.resize((width, height), PIL.Image.LANCZOS)
+    picture.quantize(colours, dither=PIL.Image.Dither.NONE).save(target, optimize=True)
     print(f"{target}: {os.path.getsize(target) // 1024} kB")
 
 
