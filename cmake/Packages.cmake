@@ -53,6 +53,7 @@ debian_package(tools ${tools_package} science "edge-preserving smoothing of poin
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/triggers)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library_package} ${this_version}, libpcl-dev (>= 1.12)")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${library_package} ${this_version}")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "xvfb") # for pictures of the viewer without a display
 
 # What Debian wants beside the files: CPack makes neither.
 string(TIMESTAMP changelog_date "%a, %d %b %Y %H:%M:%S +0000" UTC) # that of SOURCE_DATE_EPOCH where it is set

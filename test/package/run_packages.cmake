@@ -28,5 +28,9 @@ endfunction()
 expect_package(${LIBRARY} libpcl_normal_smoothing.so.${VERSION} DEPENDS libpcl libgomp1)
 expect_package(libpcl-normal-smoothing-dev libpcl_normal_smoothing.so pcl_normal_smoothing.pc
   pcl_normal_smoothingConfig.cmake normal_smoothing.h DEPENDS ${LIBRARY} libpcl-dev)
+if(VIEWER)
+  expect_package(pcl-normal-smoothing-tools bin/pcl_normal_smoothing_viewer man1/pcl_normal_smoothing_viewer.1.gz
+    DEPENDS libpcl-visualization)
+endif()
 expect_package(pcl-normal-smoothing-tools bin/pcl_normal_smoothing man1/pcl_normal_smoothing.1.gz
   bash-completion/completions/pcl_normal_smoothing DEPENDS ${LIBRARY} libpcl)

@@ -162,12 +162,13 @@ ViewerParameters::text () const
 const char*
 ViewerParameters::help ()
 {
-  return "1 2 3         preset default, fast, paper: all parameters as it has them\n"
-         "Up Down       select a parameter (>)      Left Right  smaller, larger\n"
-         "Backspace     let the cloud or the preset decide it (no *)\n"
-         "0             all parameters as on the command line\n"
-         "k K  i I  n N fewer, more: neighbours, iterations, normal iterations\n"
-         "s S  t T  d D smaller, larger: noise sigma, sheet distance, displacement cap\n";
+  return "  1 2 3        preset default, fast, paper: all parameters as it has them\n"
+         "  Up Down      select a parameter (>)\n"
+         "  Left Right   make it smaller, larger\n"
+         "  Backspace    let the cloud or the preset decide it (no *)\n"
+         "  0            all parameters as on the command line\n"
+         "  k K i I n N  fewer, more: neighbours, iterations, normal iterations\n"
+         "  s S t T d D  smaller, larger: noise sigma, sheet distance, displacement cap\n";
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -27,7 +27,7 @@ public:
   void
   setUsed (const std::string& options);
 
-  /** \param[in] key as X calls it: "k", "K", "Up", "BackSpace"
+  /** \param[in] key what it stands for, "k", "K", or its name in X, "Up", "BackSpace"
     * \return whether the options are others now; to select one changes none */
   bool
   press (const std::string& key);

@@ -4,6 +4,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <cctype>
+
 namespace pcl_normal_smoothing
 {
 namespace tools
@@ -12,9 +14,14 @@ vtkStandardNewMacro (ViewerStyle)
 
     void ViewerStyle::OnKeyDown ()
 {
-  const char* key = Interactor->GetKeySym ();
-  if (key && pressed)
-    pressed (key);
+  // PCL's interactor names the key, whatever Shift makes of it.
+  const int code = static_cast<unsigned char> (Interactor->GetKeyCode ());
+  const char* name = Interactor->GetKeySym ();
+  const bool shift = Interactor->GetShiftKey () != 0;
+  if (pressed && std::isgraph (code))
+    pressed (std::string (1, static_cast<char> (shift ? std::toupper (code) : code)));
+  else if (pressed && name)
+    pressed (name);
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

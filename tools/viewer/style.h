@@ -19,7 +19,7 @@ public:
 
   vtkTypeMacro (ViewerStyle, pcl::visualization::PCLVisualizerInteractorStyle)
 
-      /** Called with a key's name, as X calls it. */
+      /** Called with what a key stands for, "K" or "+", or with its name in X, "Up". */
       std::function<void (const std::string&)> pressed;
 
 protected:

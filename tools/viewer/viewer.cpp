@@ -76,8 +76,10 @@ Viewer::pressOther (const std::string& key)
     nextColouring ();
   else if (key == "m")
     window_.switchTriangles ();
-  else if (key == "plus" || key == "KP_Add" || key == "minus" || key == "KP_Subtract")
-    window_.scalePoints (key == "plus" || key == "KP_Add" ? 1.25 : 0.8);
+  else if (key == "+" || key == "=")
+    window_.scalePoints (1.25);
+  else if (key == "-")
+    window_.scalePoints (0.8);
   else if (key == "r")
     window_.resetCamera ();
   else if (key == "p")
@@ -139,17 +141,17 @@ Viewer::show ()
   window_.show (ViewerWindow::LEFT, session_.noisy (), noisy, limit, before);
   window_.show (ViewerWindow::RIGHT, session_.smoothed (), smoothed, limit, after);
   const std::string hint = "h: keys" + (message_.empty () ? "" : "\n\n" + message_);
-  window_.setTexts (parameters_.text (), help_ ? help () : hint, names.at (colouring_));
+  window_.setTexts (parameters_.text (), help_ ? help () + message_ : hint, names.at (colouring_));
 }
 
 std::string
 Viewer::help ()
 {
   return std::string (ViewerParameters::help ()) +
-         "c m           colours: next; triangles of the mesh, or points\n"
-         "+ -  r        points larger, smaller; the camera as at the beginning\n"
-         "p w j         print the options; save the cloud (-save); save a picture\n"
-         "h  q Esc      this help; the end       Mouse: turn, move, zoom both\n";
+         "  c m          colours: next; triangles of the mesh, or points\n"
+         "  + - r        points larger, smaller; the camera as at the beginning\n"
+         "  p w j        print the options; save the cloud (-save); save a picture\n"
+         "  h q          this help; the end\n";
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing
