@@ -122,6 +122,11 @@ TEST_F (TilesTrouble, FoldersThatHoldOtherThings)
   expectRefused ("run tiles.d", 2, {"plan.json"});
   expectRefused ("merge tiles.d -output out.pcd", 2, {"plan.json"});
   expectRefused ("plan cloud.pcd cloud.pcd", 2, {path ("cloud.pcd")});
+  fs::remove (path ("tiles.d/thesis.txt"));
+  for (const char* left : {"plan.aBcDeF.json", "cells.aBcDeF.bin", "tile_000003.aBcDeF.result", "spill.aBcDeF"})
+    writeText (path (std::string ("tiles.d/") + left), "by a process that was killed");
+  plan ();
+  EXPECT_EQ (filesIn ("tiles.d").size (), 7u);
 }
 
 TEST_F (TilesTrouble, TilesThatAreMissingOrDamagedAreListedAndRunAgain)

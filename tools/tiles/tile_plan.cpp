@@ -12,6 +12,7 @@
 #include <pcl_normal_smoothing/core/error.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -28,10 +29,12 @@ constexpr std::uint64_t program_bytes = 120u << 20;
 // The tiles are a little smaller than they may be: a sample decides where they part.
 constexpr double filling = 0.95;
 
+/** Also what a process that was killed outright has left. */
 bool
 isOfPlan (const std::string& name)
 {
-  return name == "plan.json" || name == "cells.bin" || name.rfind ("tile_", 0) == 0;
+  constexpr std::array<const char*, 4> begins {"plan.", "cells.", "tile_", "spill."};
+  return std::any_of (begins.begin (), begins.end (), [&] (const char* begin) { return name.rfind (begin, 0) == 0; });
 }
 
 class Planner

@@ -48,14 +48,13 @@ private:
   smooth ()
   {
     core::Positions& nodes = region_.nodes ();
-    displacements_ = nodes.offset;
+    const core::Vectors start = core::startOf (nodes);
     core::estimateFirstNormals (*region_.graph (), plan_.options, execution_, nodes, region_.normals ());
     const auto has_normal = [&] (std::uint32_t node) { return !std::isnan (region_.normals ()[node].x ()); };
     with_normal_ =
         static_cast<std::uint64_t> (std::count_if (region_.wanted ().begin (), region_.wanted ().end (), has_normal));
     core::smoothByNormals (region_.graph (), plan_.options, {}, execution_, nodes, region_.normals ());
-    for (std::size_t node = 0; node < nodes.size (); ++node)
-      displacements_[node] = nodes.offset[node] - displacements_[node];
+    displacements_ = core::displacements (start, nodes);
   }
 
   void
