@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_normal_smoothing
 {
@@ -93,28 +94,73 @@ nodesBesideOtherSheets (const NeighborGraph& graph, const SheetTest& test, const
   return nodes;
 }
 
-/** Writes the row of \a node, of row_length, from the neighbours of its neighbours on its own sheet. */
+/** Nodes, each once: neighbours of neighbours are mostly the same, and sorting them all would take most of the time. */
+class NodeSet
+{
+public:
+  /** \param[in] most nodes that will be inserted, repetitions counted */
+  void
+  clear (std::size_t most)
+  {
+    std::size_t size = 64;
+    while (size < 2 * most)
+      size *= 2;
+    table_.assign (size, no_node);
+    nodes_.clear ();
+  }
+
+  void
+  insert (std::uint32_t node)
+  {
+    const std::uint32_t hash = node * 0x9E3779B1u;
+    const std::size_t mask = table_.size () - 1;
+    std::size_t place = (hash ^ (hash >> 15)) & mask;
+    while (table_[place] != no_node && table_[place] != node)
+      place = (place + 1) & mask;
+    if (table_[place] == node)
+      return;
+    table_[place] = node;
+    nodes_.push_back (node);
+  }
+
+  const std::vector<std::uint32_t>&
+  nodes () const
+  {
+    return nodes_;
+  }
+
+private:
+  static constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
+
+  std::vector<std::uint32_t> table_; // of a power of two, at most half full
+  std::vector<std::uint32_t> nodes_;
+};
+
+/** Writes the row of \a node, of row_length, from the neighbours of its neighbours on its own sheet.
+  * \param found for reuse */
 void
 writeOwnSheet (const NeighborGraph& graph,
                const Positions& positions,
                const SheetTest& test,
                std::uint32_t node,
+               NodeSet& found,
                std::uint32_t* out)
 {
   const Row row = graph.row (node);
-  std::vector<std::uint32_t> found;
+  std::size_t most = 0;
+  for (std::size_t j = 0; j < row.size (); ++j)
+    most += graph.blockLength (row[j] / NeighborGraph::block_size);
+  found.clear (most);
   for (std::size_t j = 0; j < row.size (); ++j) {
     if (j > 0 && test.isOther (node, row[j], to_drop))
       continue;
     const Row further = graph.row (row[j]);
     for (std::size_t t = 0; t < further.size (); ++t)
-      found.push_back (further[t]);
+      found.insert (further[t]);
   }
-  std::sort (found.begin (), found.end ());
-  found.erase (std::unique (found.begin (), found.end ()), found.end ());
 
   std::vector<Neighbor> own_sheet;
-  for (const std::uint32_t other : found)
+  for (const std::uint32_t other : found.nodes ())
     if (other != node && !test.isOther (node, other, to_drop))
       own_sheet.push_back ({squaredLength (positions.difference (node, other)), graph.order ()[other], other});
   const std::size_t size = std::min ({own_sheet.size (), row.size () - 1, row_length - 1});
@@ -154,8 +200,9 @@ separateSheets (const NeighborGraph::ConstPtr& graph,
   parallelFor (
       nodes.size (), execution,
       [&] (std::size_t begin, std::size_t end) {
+        NodeSet found;
         for (std::size_t i = begin; i < end; ++i)
-          writeOwnSheet (*graph, positions, test, nodes[i], rows.data () + i * row_length);
+          writeOwnSheet (*graph, positions, test, nodes[i], found, rows.data () + i * row_length);
       },
       64);
   return graph->withRows (nodes, rows, row_length);
