@@ -125,7 +125,7 @@ def odd_text(data, dice):
 
 def all_nan(data, dice):
     end = header_end(data)
-    return data[:end] + re.sub(rb"-?\d+\.\d+", dice.choice((b"nan", b"inf", b"1e38", b"-1e-38")), data[end:])
+    return data[:end] + re.sub(rb"-?\d{1,20}\.\d{1,20}", dice.choice((b"nan", b"inf", b"1e38", b"-1e-38")), data[end:])
 
 
 def swapped_lines(data, dice):
