@@ -164,7 +164,9 @@ writeOwnSheet (const NeighborGraph& graph,
     if (other != node && !test.isOther (node, other, to_drop))
       own_sheet.push_back ({squaredLength (positions.difference (node, other)), graph.order ()[other], other});
   const std::size_t size = std::min ({own_sheet.size (), row.size () - 1, row_length - 1});
-  std::partial_sort (own_sheet.begin (), own_sheet.begin () + static_cast<std::ptrdiff_t> (size), own_sheet.end ());
+  const auto end = own_sheet.begin () + static_cast<std::ptrdiff_t> (size);
+  std::nth_element (own_sheet.begin (), end, own_sheet.end ());
+  std::sort (own_sheet.begin (), end);
   std::fill_n (out, row_length, node);
   for (std::size_t j = 0; j < size; ++j)
     out[j + 1] = own_sheet[j].slot;
