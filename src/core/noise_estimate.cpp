@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/kd_tree.h>
 #include <pcl_normal_smoothing/core/node_blocks.h>
 #include <pcl_normal_smoothing/core/noise_estimate.h>
 
@@ -31,18 +32,95 @@ hashOf (const Eigen::Vector3f& point)
   return hash;
 }
 
-/** The rows of 16 nodes side by side, as a graph keeps those of a block. */
-std::vector<std::uint32_t>
-rowsOf (const NeighborGraph& graph, const std::vector<std::uint32_t>& sample, std::size_t begin)
+/** The neighbourhoods of the nodes in a sample, one after the other, each filled up with the node itself. */
+using SampleRows = std::vector<std::uint32_t>;
+
+SampleRows
+rowsOfGraph (const NeighborGraph& graph, const std::vector<std::uint32_t>& sample)
 {
-  std::vector<std::uint32_t> rows (row_length * NeighborGraph::block_size);
-  for (std::size_t lane = 0; lane < NeighborGraph::block_size; ++lane) {
-    const std::uint32_t node = sample[std::min (begin + lane, sample.size () - 1)];
+  SampleRows rows;
+  rows.reserve (sample.size () * row_length);
+  for (const std::uint32_t node : sample) {
     const Row row = graph.row (node);
     for (std::size_t j = 0; j < row_length; ++j)
-      rows[j * NeighborGraph::block_size + lane] = j < row.size () ? row[j] : node;
+      rows.push_back (j < row.size () ? row[j] : node);
   }
   return rows;
+}
+
+/** As a graph of all would have them, which takes longer and more memory. */
+SampleRows
+searchedRows (const NeighborGraph& graph,
+              const Positions& nodes,
+              const std::vector<std::uint32_t>& sample,
+              const Execution& execution)
+{
+  const KdTree tree (nodes, graph.order (), execution.silent ());
+  SampleRows rows (sample.size () * row_length);
+  parallelFor (
+      sample.size (), execution,
+      [&] (std::size_t begin, std::size_t end) {
+        KdTree::Scratch scratch;
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::uint32_t node = sample[i];
+          const auto row = rows.begin () + static_cast<std::ptrdiff_t> (i * row_length);
+          std::fill_n (row, row_length, node);
+          auto place = row + 1;
+          for (const Neighbor& neighbor : tree.search (nodes.base[node], nodes.offset[node], {row_length}, scratch))
+            if (tree.order ()[neighbor.slot] != node && place != row + row_length)
+              *place++ = tree.order ()[neighbor.slot];
+        }
+      },
+      64);
+  return rows;
+}
+
+/** The rows of 16 nodes side by side, as a graph keeps those of a block. */
+std::vector<std::uint32_t>
+blockOf (const SampleRows& rows, std::size_t begin)
+{
+  std::vector<std::uint32_t> block (row_length * NeighborGraph::block_size);
+  for (std::size_t lane = 0; lane < NeighborGraph::block_size; ++lane) {
+    const std::size_t first = std::min ((begin + lane) * row_length, rows.size () - row_length);
+    for (std::size_t j = 0; j < row_length; ++j)
+      block[j * NeighborGraph::block_size + lane] = rows[first + j];
+  }
+  return block;
+}
+
+NoiseSample
+residualsOf (const Positions& nodes,
+             const std::vector<std::uint32_t>& sample,
+             const SampleRows& rows,
+             const Execution& execution)
+{
+  constexpr std::array<std::size_t, 3> sizes = {8, 12, 16};
+  std::array<std::vector<float>, 3> of_nodes;
+  for (auto& variances : of_nodes)
+    variances.resize (nodes.size ());
+  const NodeArrays arrays = nodeArrays (nodes, nodes.base);
+  const std::size_t block_count = (sample.size () + NeighborGraph::block_size - 1) / NeighborGraph::block_size;
+  parallelFor (
+      block_count, execution,
+      [&] (std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block) {
+          const auto block_rows = blockOf (rows, block * NeighborGraph::block_size);
+          for (std::size_t i = 0; i < sizes.size (); ++i)
+            kernels ().residual_variances ({arrays, of_nodes[i].data ()}, {block_rows.data (), sizes[i]});
+        }
+      },
+      8);
+
+  NoiseSample residuals;
+  for (std::size_t s = 0; s < sample.size (); ++s) {
+    const std::uint32_t node = sample[s], eighth = rows[s * row_length + sizes[0] - 1];
+    for (std::size_t i = 0; i < sizes.size (); ++i)
+      if (std::isfinite (of_nodes[i][node]))
+        residuals.variances[i].push_back (of_nodes[i][node]);
+    if (eighth != node)
+      residuals.distances.push_back (nodes.difference (node, eighth).norm ());
+  }
+  return residuals;
 }
 
 double
@@ -101,42 +179,18 @@ sampleNoise (const NeighborGraph& graph,
              const std::vector<std::uint32_t>& sample,
              const Execution& execution)
 {
-  constexpr std::array<std::size_t, 3> sizes = {8, 12, 16};
-  std::array<std::vector<float>, 3> of_nodes;
-  for (auto& variances : of_nodes)
-    variances.resize (nodes.size ());
-  const NodeArrays arrays = nodeArrays (nodes, nodes.base);
-  const std::size_t block_count = (sample.size () + NeighborGraph::block_size - 1) / NeighborGraph::block_size;
-  parallelFor (
-      block_count, execution,
-      [&] (std::size_t begin, std::size_t end) {
-        for (std::size_t block = begin; block < end; ++block) {
-          const auto rows = rowsOf (graph, sample, block * NeighborGraph::block_size);
-          for (std::size_t i = 0; i < sizes.size (); ++i)
-            kernels ().residual_variances ({arrays, of_nodes[i].data ()}, {rows.data (), sizes[i]});
-        }
-      },
-      8);
-
-  NoiseSample residuals;
-  for (const std::uint32_t node : sample) {
-    for (std::size_t i = 0; i < sizes.size (); ++i)
-      if (std::isfinite (of_nodes[i][node]))
-        residuals.variances[i].push_back (of_nodes[i][node]);
-    const Row row = graph.row (node);
-    if (row.size () >= sizes[0])
-      residuals.distances.push_back (nodes.difference (node, row[sizes[0] - 1]).norm ());
-  }
-  return residuals;
+  return residualsOf (nodes, sample, rowsOfGraph (graph, sample), execution);
 }
 
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
+  const std::vector<std::uint32_t> sample = noiseSampleNodes (nodes, nodes.size ());
   // A graph by radius, or of small neighbourhoods, does not show enough.
-  if (graph.minRowLength () < std::min<std::size_t> (row_length, graph.size ()))
-    return estimateNoise (*graph.rebuild (nodes, NeighborQuery {row_length}, execution), nodes, execution);
-  return estimateNoise (sampleNoise (graph, nodes, noiseSampleNodes (nodes, nodes.size ()), execution));
+  const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
+  if (is_enough)
+    return estimateNoise (sampleNoise (graph, nodes, sample, execution));
+  return estimateNoise (residualsOf (nodes, sample, searchedRows (graph, nodes, sample, execution), execution));
 }
 
 NoiseEstimate
