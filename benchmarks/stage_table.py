@@ -9,7 +9,7 @@ import sys
 def row(benchmark):
     name, points, k, threads = re.match(r"(.*)/points:(\d+)/k:(\d+)/threads:(\d+)", benchmark["name"]).groups()
     def number(counter):
-        return f"{benchmark[counter]:.3g}" if counter in benchmark else ""
+        return f"{float(f'{benchmark[counter]:.3g}'):g}" if counter in benchmark else ""
     bandwidth = f"{benchmark['bytes_per_second'] / 1e9:.3g}" if "bytes_per_second" in benchmark else ""
     return [name, points, k, threads, number("ns/point"), number("ns/edge/core"), bandwidth]
 
