@@ -58,12 +58,15 @@ SlurmdPidFile=$folder/slurmd.pid
 SlurmctldLogFile=$folder/slurmctld.log
 SlurmdLogFile=$folder/slurmd.log
 SlurmdParameters=config_overrides
+SlurmdTimeout=10
+VSizeFactor=100
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SelectType=select/cons_tres
-SelectTypeParameters=CR_CPU
+SelectTypeParameters=CR_CPU_Memory
 SchedulerParameters=batch_sched_delay=1,sched_interval=2
 ReturnToService=2
+DefMemPerCPU=4000
 MailProg=/bin/true
 NodeName=$(hostname -s) NodeAddr=127.0.0.1 CPUs=16 RealMemory=64000 State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
@@ -72,9 +75,15 @@ EOF
   slurmctld -D -f "$SLURM_CONF" >/dev/null 2>&1 &
   pids+=($!)
   sleep 2
+  start_node
+}
+
+start_node ()
+{
   slurmd -D -f "$SLURM_CONF" >/dev/null 2>&1 &
-  pids+=($!)
-  for _ in $(seq 60); do sinfo --noheader --format %t 2>/dev/null | grep -q idle && return 0 || sleep 1; done
+  slurmd=$!
+  pids+=($slurmd)
+  for _ in $(seq 120); do sinfo --noheader --format %t 2>/dev/null | grep -q idle && return 0 || sleep 1; done
   cat slurmctld.log slurmd.log >&2
   return 1
 }
@@ -88,9 +97,19 @@ wait_for_jobs ()
   return 1
 }
 
-submit ()
+submit () # FOLDER [largest tile]
 {
-  "$root/scripts/tiles/slurm.sh" "$1" "$1.out" 8 cloud.pcd -max_points $((points / 20)) -preset fast
+  "$root/scripts/tiles/slurm.sh" "$1" "$1.out" 8 cloud.pcd -max_points "${2:-$((points / 20))}" -preset fast
+}
+
+# The number of the process that runs a tile of a plan, as soon as there is one.
+running_job () # FOLDER
+{
+  for _ in $(seq 600); do
+    pgrep -f "pcl_normal_smoothing_tiles run $folder/$1" | head -1 | grep . && return 0
+    sleep 0.05
+  done
+  return 1
 }
 
 # Numbers of tiles whose result is not as old as it was.
@@ -131,11 +150,7 @@ check "only the lost and the damaged tile are run again" \
 check "to the byte" cmp whole.pcd tiles.d.out/cloud.pcd
 
 submit killed.d >/dev/null
-for _ in $(seq 600); do
-  victim=$(pgrep -f "pcl_normal_smoothing_tiles run $folder/killed.d" | head -1)
-  [ -z "$victim" ] || break
-  sleep 0.05
-done
+victim=$(running_job killed.d)
 kill -9 "$victim" 2>/dev/null
 wait_for_jobs
 check "a job that was killed leaves no output" [ ! -e killed.d.out/cloud.pcd ]
@@ -143,6 +158,33 @@ check "and some tiles to do" [ "$("$TILES_TOOL" list killed.d | wc -l)" -gt 0 ]
 submit killed.d >/dev/null
 wait_for_jobs
 check "the same command completes it" cmp whole.pcd killed.d.out/cloud.pcd
+
+# A node loses its power with all that runs on it, and comes back: its jobs are put back into the queue.
+submit lost.d >/dev/null
+victim=$(running_job lost.d)
+kill -9 "$slurmd"
+pkill -9 -f "slurmstepd.*$folder|slurmstepd: \\["
+kill -9 "$victim" 2>/dev/null
+pkill -9 -f "pcl_normal_smoothing_tiles run $folder/lost.d"
+for _ in $(seq 120); do sinfo --noheader --format %t | grep -q down && break || sleep 1; done
+check "the controller sees that the node is lost" grep -q down <(sinfo --noheader --format %t)
+check "no output yet" [ ! -e lost.d.out/cloud.pcd ]
+start_node
+wait_for_jobs
+check "the node is back: its jobs run again, to the byte" cmp whole.pcd lost.d.out/cloud.pcd
+
+# Tiles that need more memory than their jobs may have; given more, they go on where they were.
+large=$((points * 5))
+"$tools/../test/reliability/large_cloud" large.pcd "$large"
+"$tools/pcl_normal_smoothing" large.pcd whole_large.pcd -preset fast >/dev/null || exit 1
+large_job () { "$root/scripts/tiles/slurm.sh" large.d large.out 4 large.pcd -max_points "$large" -preset fast >/dev/null; }
+SBATCH_RUN="--mem=140" large_job
+wait_for_jobs
+check "a job that runs out of memory says so" grep -q "not enough memory" large.d.tiles-run.*.log
+check "and leaves no output" [ ! -e large.out/large.pcd ]
+large_job
+wait_for_jobs
+check "with more memory the same command completes it" cmp whole_large.pcd large.out/large.pcd
 
 check "GNU parallel" "$root/scripts/tiles/parallel.sh" parallel.d parallel.out 4 cloud.pcd -max_points $((points / 10)) -preset fast
 check "to the byte" cmp whole.pcd parallel.out/cloud.pcd

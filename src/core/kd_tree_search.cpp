@@ -22,6 +22,15 @@ square (float x)
   return x * x;
 }
 
+/** No squared distance up to \a distance is above it, whatever rounding does. */
+float
+sqReachOf (float distance)
+{
+  constexpr float rounding = 1 + 1e-5f;
+  // Where squares are subnormal, they keep few digits.
+  return square (distance * rounding) + std::numeric_limits<float>::min ();
+}
+
 /** The squared distances that are closer than \a radius: not at it. */
 float
 sqBoundOf (float radius)
@@ -71,7 +80,6 @@ KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisit
 
   // Nor is the k-th neighbour farther than an earlier point's, and the way to that point.
   const std::size_t count = query.k == 0 ? no_slot : query.k - 1;
-  constexpr float rounding = 1 + 1e-5f;
   std::vector<std::pair<CandidateQuery, float>> earlier; // and the distance of its last neighbour
   for (std::uint32_t slot = own.begin; slot < own.end; ++slot) {
     CandidateQuery point = slotQuery (slot);
@@ -79,7 +87,7 @@ KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisit
     float bound = std::min (reach, ball + std::sqrt (sqDistance ({at.low, at.high}, {center, center})) + 2 * box.slack);
     for (const auto& other : earlier)
       bound = std::min (bound, distance (point, other.first) + other.second);
-    point.sq_bound = std::min (square (bound * rounding + box.slack), sqBoundOf (query.radius));
+    point.sq_bound = std::min (sqReachOf (bound + box.slack), sqBoundOf (query.radius));
     selectNearest (point, slot, count, scratch);
     if (scratch.row.size () == count && count > 0)
       earlier.emplace_back (point, std::sqrt (scratch.row.back ().sq_dist));
@@ -103,7 +111,7 @@ KdTree::search (const Eigen::Vector3f& base,
   const float ball = query.k == 0 ? infinity : ballRadius (at, branch, query.k, scratch);
   const float reach = std::min (ball, query.radius);
   gatherCandidates (box, reach, scratch);
-  const float sq_bound = std::min (square (reach * (1 + 1e-5f) + box.slack), sqBoundOf (query.radius));
+  const float sq_bound = std::min (sqReachOf (reach + box.slack), sqBoundOf (query.radius));
   selectNearest ({{base.x (), base.y (), base.z ()}, {offset.x (), offset.y (), offset.z ()}, sq_bound}, no_slot,
                  query.k == 0 ? no_slot : query.k, scratch);
   return scratch.row;
@@ -134,7 +142,7 @@ KdTree::gatherCandidates (const Box& box, float reach, Scratch& scratch) const
     scratch.base[d].clear ();
     scratch.offset[d].clear ();
   }
-  const float sq_reach = square (reach * (1 + 1e-5f));
+  const float sq_reach = sqReachOf (reach);
   scratch.nodes.assign (1, 0);
   while (!scratch.nodes.empty ()) {
     const std::uint32_t node = scratch.nodes.back ();

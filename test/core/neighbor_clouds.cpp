@@ -2,6 +2,7 @@
 #include "neighbor_clouds.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace test_support
 {
@@ -41,6 +42,16 @@ scaledAndMoved (Vectors points, const Eigen::Vector3f& scale, const Eigen::Vecto
 {
   for (auto& point : points)
     point = point.cwiseProduct (scale) + to;
+  return points;
+}
+
+/** Distances whose squares a float cannot hold, or holds with a few digits. */
+Vectors
+vanishingSquares ()
+{
+  Vectors points = uniformCube (500, 9);
+  for (std::size_t i = 0; i < points.size (); ++i)
+    points[i] *= std::ldexp (1.0f, -60 - static_cast<int> (i % 16));
   return points;
 }
 
@@ -84,6 +95,7 @@ hardClouds ()
           {"integer_grid", asPositions (integerGrid ())},
           {"far", asPositions (scaledAndMoved (cube, {200, 200, 200}, far))},
           {"doubles", doubles ()},
+          {"vanishing_squares", asPositions (vanishingSquares ())},
           {"seventeen", asPositions (uniformCube (17, 6))},
           {"three", asPositions (uniformCube (3, 7))},
           {"one", asPositions (uniformCube (1, 8))}};
