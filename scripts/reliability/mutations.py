@@ -8,6 +8,7 @@ status 1 where none did, or where the code to break is no longer there."""
 # SPDX-License-Identifier: BSD-3-Clause
 import argparse
 import os
+import signal
 import subprocess
 import sys
 
@@ -18,6 +19,7 @@ BUILD = os.path.join(WORK, "build")
 LIBRARY_TESTS = ["test_core", "test_filters", "test_features", "test_clouds"]
 KERNELS = "src/core/kernels/"
 CORE = "src/core/"
+TILES = "tools/tiles/"
 HEADERS = "include/pcl_normal_smoothing/"
 
 # name, file, what stands there, what is put in its place
@@ -101,11 +103,24 @@ MUTATIONS = [
     ("an exception in a thread is lost", CORE + "parallel_for.cpp", "  if (failure)\n", "  if (false)\n"),
     ("normals point away from the viewpoint", HEADERS + "impl/surface_normal_estimation.hpp",
      "dot (to_view_point) < 0 ? -1.0f", "dot (to_view_point) > 0 ? -1.0f"),
-    ("tools: what is half written stays", "tools/output_file.cpp", "    close (descriptor_);\n  removeTemporaryFile ();",
+    ("tools: what is half written stays", "tools/output_file.cpp", "    close (descriptor_);\n  removeOwnTemporary ();",
      "    close (descriptor_);"),
     ("tools: an interruption has the status of an error", "tools/tool.cpp", "_exit (128 + signal);", "_exit (2);"),
     ("tools: a header may claim more than the file holds", "tools/pcd_format.cpp",
      "points > available / bytes_per_point", "false"),
+    ("tiles: no row is ever in doubt", TILES + "proof.cpp", "if (depth_.rows < 0 || all_.cells.allLoaded ())", "if (true)"),
+    ("tiles: nothing is loaded around", TILES + "region.cpp", "loadWithin (place.box, hops * hopLength (plan_.cells, place.cell))",
+     "loadWithin (place.box, 0)"),
+    ("tiles: read in a unit of their own", TILES + "region.cpp", "records_.data (), size ()}, plan_.unit, execution_",
+     "records_.data (), size ()}, execution_"),
+    ("tiles: normals of the files in the wrong order", TILES + "region.cpp", "size ()}, searched_->order ());",
+     "size ()}, {searched_->order ().rbegin (), searched_->order ().rend ()});"),
+    ("tiles: points in the order of the cells, not of their numbers", TILES + "region.cpp", "return a.number < b.number;",
+     "return a.at < b.at;"),
+    ("tiles: close sheets are not separated", TILES + "region.cpp", "if (depth.separation >= 0)", "if (false)"),
+    ("tiles: a result is not compared with its checksum", TILES + "tile_result.cpp", "checksum.value () == written ?", "true ?"),
+    ("tiles: all points into one file", TILES + "tile_merge.cpp", "points.add (tiles[i], ", "points.add (0 * tiles[i], "),
+    ("tiles: a source may change", TILES + "smoothed_sources.cpp", "  if (!unchanged)\n", "  if (false)\n"),
     ("tools: a failed write is not noticed", "tools/output_file.cpp", "if (written < 0 && errno != EINTR)",
      "if (false)"),
 ]
@@ -119,8 +134,31 @@ def prepare(jobs):
     os.makedirs(SOURCE, exist_ok=True)
     subprocess.run(f"git -C '{ROOT}' archive HEAD | tar -x --overwrite -C '{SOURCE}'", shell=True, check=True)
     subprocess.run(["cmake", "-S", SOURCE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DBUILD_EXAMPLES=OFF"], check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", BUILD, "--parallel", jobs, "--target", *LIBRARY_TESTS, "test_tools"], check=True)
+                    "-DBUILD_EXAMPLES=OFF"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", BUILD, "--parallel", jobs, "--target", *LIBRARY_TESTS, "test_tools",
+                    "test_tiles"], check=True)
+
+
+def failure_of(test, jobs):
+    """Which test of a program fails, of as many parts at once as there are jobs; nothing where all pass."""
+    program = os.path.join(BUILD, "test", "" if test in LIBRARY_TESTS else "tools", test)
+    parts = [subprocess.Popen([program, "--gtest_brief=1", "--gtest_fail_fast"], stdout=subprocess.PIPE, text=True,
+                              stderr=subprocess.DEVNULL, start_new_session=True,
+                              env={**os.environ, "OMP_WAIT_POLICY": "passive", "GTEST_TOTAL_SHARDS": jobs,
+                                   "GTEST_SHARD_INDEX": str(part)}) for part in range(int(jobs))]
+    failure = None
+    for part in parts:
+        try:
+            printed = part.communicate(timeout=1 if failure else 600)[0]
+        except subprocess.TimeoutExpired:
+            os.killpg(part.pid, signal.SIGKILL)
+            part.communicate()
+            failure = failure or f"{test}, which does not end"
+            continue
+        if part.returncode != 0 and not failure:
+            failed = [line for line in printed.splitlines() if line.startswith("[  FAILED  ]")]
+            failure = failed[0].split("] ")[1].split(",")[0].split(" (")[0] if failed else f"{test}, which crashes"
+    return failure
 
 
 def noticed_by(tests, jobs):
@@ -128,17 +166,16 @@ def noticed_by(tests, jobs):
     built = call(["cmake", "--build", BUILD, "--parallel", jobs, "--target", *tests])
     if built.returncode != 0:
         return "does not compile"
-    for test in tests:
-        program = os.path.join(BUILD, "test", "tools" if test == "test_tools" else "", test)
-        try:
-            ended = call([program, "--gtest_brief=1", "--gtest_fail_fast"], timeout=600,
-                         env={**os.environ, "OMP_WAIT_POLICY": "passive"})
-        except subprocess.TimeoutExpired:
-            return f"{test}, which does not end"
-        if ended.returncode != 0:
-            failed = [line for line in ended.stdout.splitlines() if line.startswith("[  FAILED  ]")]
-            return failed[0].split("] ")[1].split(",")[0].split(" (")[0] if failed else f"{test}, which crashes"
-    return None
+    return next(filter(None, (failure_of(test, jobs) for test in tests)), None)
+
+
+def tests_for(file):
+    """Those that are likely to notice come first."""
+    if file.startswith(TILES):
+        return ["test_tiles"]
+    if file.startswith("tools/"):
+        return ["test_tools"]
+    return LIBRARY_TESTS if CORE in file else LIBRARY_TESTS[1:] + LIBRARY_TESTS[:1]
 
 
 def try_out(mutation, jobs):
@@ -148,11 +185,10 @@ def try_out(mutation, jobs):
         text = source.read()
     if old not in text:
         return f"is no longer in {file}", False
-    tests = ["test_tools"] if file.startswith("tools/") else LIBRARY_TESTS
     try:
         with open(path, "w", encoding="utf-8") as source:
             source.write(text.replace(old, new, 1))
-        found = noticed_by(tests, jobs)
+        found = noticed_by(tests_for(file), jobs)
     finally:
         with open(path, "w", encoding="utf-8") as source:
             source.write(text)
