@@ -14,6 +14,7 @@ install_packages \
   "libcgal-dev|CGAL, which reads meshes in the tools" \
   "nlohmann-json3-dev|the reports of the tools" \
   "libxxhash-dev|checksums of tiles" \
+  "liblzf-dev|compressed PCD files" \
   "doxygen|the reference of the classes, and its test" \
   "help2man|man pages, and their test" \
   "libgtest-dev|GoogleTest, for the tests"

@@ -4,7 +4,7 @@
 #include "field_values.h"
 
 #include <pcl/common/io.h>
-#include <pcl/io/lzf.h>
+#include <lzf.h>
 
 #include <algorithm>
 #include <array>
@@ -188,7 +188,7 @@ readCompressed (std::string_view bytes, const Header& header, std::vector<std::u
   if (sizes[0] > bytes.size () || sizes[1] != expected || expected / 88 > sizes[0])
     throw FormatError ("is truncated or damaged, its compressed data do not have the size that its header claims");
   std::vector<std::uint8_t> columns (expected);
-  if (expected > 0 && pcl::lzfDecompress (bytes.data (), sizes[0], columns.data (), sizes[1]) != expected)
+  if (expected > 0 && lzf_decompress (bytes.data (), sizes[0], columns.data (), sizes[1]) != expected)
     throw FormatError ("its compressed data are damaged");
   data.resize (header.points * header.stride);
   const std::uint8_t* from = columns.data ();
