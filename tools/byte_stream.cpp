@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -54,7 +55,7 @@ ByteStream::refill (std::size_t least)
 {
   std::size_t size = ahead_.size ();
   std::string bytes (std::max (least, buffer_size), '\0');
-  std::memcpy (bytes.data (), ahead_.data (), size);
+  std::copy (ahead_.begin (), ahead_.end (), bytes.begin ());
   buffer_.swap (bytes);
   ssize_t count = 1;
   while (size < buffer_.size () && count != 0) {
