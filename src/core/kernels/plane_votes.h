@@ -21,7 +21,7 @@ turnOf (Lanes x, Lanes y)
   Lanes turn = (a * (pi / 4) + 0.273f * a * (1 - a)) / (2 * pi);
   turn = ay > ax ? 0.25f - turn : turn;
   turn = x < 0 ? 0.5f - turn : turn;
-  return (y < 0) & (turn > 0) ? 1 - turn : turn;
+  return ((y < 0) & (turn > 0)) ? 1 - turn : turn;
 }
 
 /** The bins of directions of length 1, z >= 0. */
