@@ -212,6 +212,20 @@ load1 (const float* numbers, const std::uint32_t* index)
   return value;
 }
 
+/** As load3, but reads nothing past them: where another thread may be writing. */
+LANES_INLINE Lanes3
+load3Alone (const float* vectors, const std::uint32_t* index)
+{
+  Lanes3 value;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const float* from = vectors + 3 * std::size_t (index[lane]);
+    value.x[lane] = from[0];
+    value.y[lane] = from[1];
+    value.z[lane] = from[2];
+  }
+  return value;
+}
+
 LANES_INLINE void
 store3 (float* vectors, const std::uint32_t* index, Lanes3 value)
 {

@@ -81,7 +81,8 @@ takeSteps (const StepControl& control, const BlockRows& rows, int first)
   const Lanes2 risk = load2 (control.risks, own);
   const Lanes q = 1.57079633f * (risk.y * risk.y);
   const Lanes share = q > 0 ? minimum (maximum ((control.gain - risk.x) / q, splat (0)), splat (1)) : splat (0);
-  const Lanes3 step = load3 (control.proposed, own) - offset;
+  // What is taken may stand where it was proposed.
+  const Lanes3 step = load3Alone (control.proposed, own) - offset;
   const Lanes3 taken = start + capped ((offset + share * step) - start, control.max_displacement);
   store3 (control.taken, own, taken);
   if (!control.first_round) {
