@@ -16,5 +16,5 @@ OMP_WAIT_POLICY=passive ctest --test-dir "$build" --output-on-failure --no-tests
   --exclude-regex 'package|consumer|readme|hostile_files|soak|faults'
 # A kernel counts where one instruction set ran it: others are for other machines.
 gcovr --root "$root" --object-directory "$build" --filter "$root/include/" --filter "$root/src/" --filter "$root/tools/" \
-  --exclude-throw-branches --merge-mode-functions=merge-use-line-max --gcov-ignore-parse-errors \
+  --exclude-throw-branches --gcov-ignore-parse-errors -j "$(nproc)" \
   --html-details "$build/coverage.html" --txt "$build/coverage.txt" --print-summary --fail-under-line 95
