@@ -21,7 +21,7 @@ KdTree::KdTree (const Positions& positions, const std::vector<std::uint32_t>& ra
   if (has_offset_)
     chooseOrigin (positions);
 
-  std::vector<BuildPoint> points (positions.size ());
+  BuildPoints points (positions.size ());
   parallelFor (points.size (), execution.part (0, 0), [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       points[i] = {treeCoordinates (positions.base[i], positions.offset[i]), static_cast<std::uint32_t> (i)};
@@ -72,7 +72,7 @@ KdTree::treeCoordinates (const Eigen::Vector3f& base, const Eigen::Vector3f& off
 }
 
 void
-KdTree::split (std::vector<BuildPoint>& points, const Execution& execution)
+KdTree::split (BuildPoints& points, const Execution& execution)
 {
   const std::size_t node_count = 2 * leaf_count_ - 1;
   ranges_.resize (node_count);
@@ -91,7 +91,7 @@ KdTree::split (std::vector<BuildPoint>& points, const Execution& execution)
 }
 
 void
-KdTree::splitNode (std::size_t node, std::vector<BuildPoint>& points)
+KdTree::splitNode (std::size_t node, BuildPoints& points)
 {
   const Range range = ranges_[node];
   const auto point = points.begin ();

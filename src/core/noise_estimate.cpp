@@ -95,7 +95,7 @@ residualsOf (const Positions& nodes,
              const Execution& execution)
 {
   constexpr std::array<std::size_t, 3> sizes = {8, 12, 16};
-  std::array<std::vector<float>, 3> of_nodes;
+  std::array<Numbers, 3> of_nodes;
   for (auto& variances : of_nodes)
     variances.resize (nodes.size ());
   const NodeArrays arrays = nodeArrays (nodes, nodes.base);
@@ -149,6 +149,27 @@ isQuantised (double of_8, double of_12, double of_16)
 {
   return of_12 > 5 * of_8 && of_16 < 1.3 * of_12;
 }
+
+/** Nodes whose hash is below the share of them that is wanted. */
+std::vector<std::uint32_t>
+sampleNodes (const Positions& nodes, std::uint64_t cloud_size, const Execution& execution)
+{
+  const double share =
+      static_cast<double> (sample_size) / static_cast<double> (std::max<std::uint64_t> (cloud_size, sample_size));
+  const auto limit = static_cast<std::uint32_t> (share * 4294967295.0);
+  constexpr std::size_t part_size = 1 << 16;
+  std::vector<std::vector<std::uint32_t>> parts (nodes.size () / part_size + 1);
+  const auto find = [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin * part_size; node < std::min (end * part_size, nodes.size ()); ++node)
+      if (hashOf (nodes.base[node]) <= limit)
+        parts[node / part_size].push_back (static_cast<std::uint32_t> (node));
+  };
+  parallelFor (parts.size (), execution.silent (), find, 1);
+  std::vector<std::uint32_t> sample;
+  for (const auto& part : parts)
+    sample.insert (sample.end (), part.begin (), part.end ());
+  return sample;
+}
 } // namespace
 
 void
@@ -159,18 +180,10 @@ NoiseSample::join (const NoiseSample& part)
   distances.insert (distances.end (), part.distances.begin (), part.distances.end ());
 }
 
-// Nodes whose hash is below the share of them that is wanted.
 std::vector<std::uint32_t>
 noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size)
 {
-  const double share =
-      static_cast<double> (sample_size) / static_cast<double> (std::max<std::uint64_t> (cloud_size, sample_size));
-  const auto limit = static_cast<std::uint32_t> (share * 4294967295.0);
-  std::vector<std::uint32_t> sample;
-  for (std::uint32_t node = 0; node < nodes.size (); ++node)
-    if (hashOf (nodes.base[node]) <= limit)
-      sample.push_back (node);
-  return sample;
+  return sampleNodes (nodes, cloud_size, Execution (1));
 }
 
 NoiseSample
@@ -185,7 +198,7 @@ sampleNoise (const NeighborGraph& graph,
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const std::vector<std::uint32_t> sample = noiseSampleNodes (nodes, nodes.size ());
+  const std::vector<std::uint32_t> sample = sampleNodes (nodes, nodes.size (), execution);
   // A graph by radius, or of small neighbourhoods, does not show enough.
   const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
   if (is_enough)

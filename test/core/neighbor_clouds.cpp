@@ -65,17 +65,33 @@ duplicated ()
   return points;
 }
 
+void
+addDouble (const Eigen::Vector3d& place, Positions& positions)
+{
+  positions.base.push_back (place.cast<float> ());
+  positions.offset.push_back ((place - positions.base.back ().cast<double> ()).cast<float> ());
+}
+
 /** What doubles at UTM coordinates become: the floats are 0.5 apart, the shape is in the offsets. */
 Positions
 doubles ()
 {
-  const Vectors shape = uniformCube (500, 5);
   Positions positions;
-  for (const auto& point : shape) {
-    const Eigen::Vector3d place = point.cast<double> () + Eigen::Vector3d (4.5e5, 5e6, 120);
-    positions.base.push_back (place.cast<float> ());
-    positions.offset.push_back ((place - positions.base.back ().cast<double> ()).cast<float> ());
-  }
+  for (const auto& point : uniformCube (500, 5))
+    addDouble (point.cast<double> () + Eigen::Vector3d (4.5e5, 5e6, 120), positions);
+  return positions;
+}
+
+/** Of a tree about the middle one of these clusters the others are so far that its floats do not tell their points apart. */
+Positions
+doublesFarFromEachOther ()
+{
+  Positions positions;
+  const Vectors shape = uniformCube (500, 10);
+  for (std::size_t i = 0; i < shape.size (); ++i)
+    addDouble (0.3 * shape[i].cast<double> () +
+                   Eigen::Vector3d (1e6, -2e6, 3e6) * (static_cast<double> (i % 5) - 2),
+               positions);
   return positions;
 }
 } // namespace
@@ -95,6 +111,7 @@ hardClouds ()
           {"integer_grid", asPositions (integerGrid ())},
           {"far", asPositions (scaledAndMoved (cube, {200, 200, 200}, far))},
           {"doubles", doubles ()},
+          {"doubles_far_from_each_other", doublesFarFromEachOther ()},
           {"vanishing_squares", asPositions (vanishingSquares ())},
           {"seventeen", asPositions (uniformCube (17, 6))},
           {"three", asPositions (uniformCube (3, 7))},

@@ -108,6 +108,17 @@ TEST (Hough, KnowsAPlaneExactly)
     EXPECT_LT (lineAngleDegrees (normal.cast<double> (), Eigen::Vector3d::UnitZ ()), 1e-3);
 }
 
+TEST (Hough, KnowsAPlaneInAnyUnit)
+{
+  for (const float unit : {0x1p-45f, 0x1p45f}) { // fourth powers of lengths are no floats
+    Vectors cloud = planeGrid (15, 0.1f).points;
+    for (auto& point : cloud)
+      point *= unit;
+    for (const auto& normal : normalsByPoint (cloud, 15, NormalSource::HOUGH))
+      EXPECT_LT (lineAngleDegrees (normal.cast<double> (), Eigen::Vector3d::UnitZ ()), 1e-3);
+  }
+}
+
 TEST (Hough, DrawsTheTriplesOfItsBound)
 {
   const HoughEstimator estimator ({});

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -186,6 +187,53 @@ TEST_P (KernelsTest, StepsAreTheSameForEveryInstructionSet)
         result.insert (result.end (), offset.data (), offset.data () + 3);
       return result;
     });
+}
+
+TEST_P (KernelsTest, TheWayAlongTheNormalIsAddedUpFromTheSecondRoundOn)
+{
+  for (const bool first_round : {true, false}) {
+    const Vectors proposed = withNoise (nodes_.offset, 0.02, 123);
+    Vectors taken (proposed.size ());
+    Numbers moved (nodes_.size (), .01f), risks (2 * nodes_.size (), 1);
+    StepControl control {};
+    control.nodes = nodeArrays (nodes_, normals_);
+    control.proposed = proposed.data ()->data ();
+    control.taken = taken.data ()->data ();
+    control.moved = moved.data ();
+    control.first_round = first_round;
+    control.risks = risks.data ();
+    control.gain = 10; // more than any risk: whole steps
+    control.max_displacement = infinity;
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels ().take_steps (control, rows); });
+    for (std::size_t i = 0; i < nodes_.size (); ++i) {
+      const float way = (proposed[i] - nodes_.offset[i]).dot (normals_[i]);
+      EXPECT_NEAR (moved[i], .01f + (first_round || std::isnan (way) ? 0 : way), 1e-6f) << "node " << i;
+    }
+  }
+}
+
+TEST_P (KernelsTest, VotesGoToTheBinOfTheirNormal)
+{
+  const float rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const float band_cosine[] = {0.9f, 0.5f, 0.2f}, band_begin[] = {0, 1, 7, 17}; // the last band goes on to the equator
+  for (std::uint32_t round = 0; round < 20; ++round) {
+    std::uint32_t triples[3][16];
+    for (std::uint32_t i = 0; i < 16; ++i)
+      for (std::uint32_t corner = 0; corner < 3; ++corner)
+        triples[corner][i] = static_cast<std::uint32_t> ((7 * i + (5 + round) * corner + 31 * round) % nodes_.size ());
+    float normals[3][16];
+    std::int32_t bins[16];
+    kernels ().vote_planes ({nodes_.base.data ()->data (), triples, rotation, band_cosine, band_begin, 3, normals, bins});
+    for (std::size_t i = 0; i < 16; ++i) {
+      if (bins[i] < 0)
+        continue;
+      const double turn = std::atan2 (normals[1][i], normals[0][i]) / (2 * 3.14159265358979) + 1;
+      const int band = (normals[2][i] < 0.9f) + (normals[2][i] < 0.5f);
+      const double column = (turn - std::floor (turn)) * static_cast<double> (band_begin[band + 1] - band_begin[band]);
+      if (std::abs (column - std::round (column)) > 0.05) // not between two
+        EXPECT_EQ (bins[i], static_cast<int> (band_begin[band]) + static_cast<int> (column)) << "normal " << i;
+    }
+  }
 }
 
 TEST_P (KernelsTest, VotesOfPlanesAreTheSameForEveryInstructionSet)

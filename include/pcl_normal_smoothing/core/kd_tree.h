@@ -76,6 +76,7 @@ private:
     Coordinates at;
     std::uint32_t element;
   };
+  using BuildPoints = std::vector<BuildPoint, PaddedAllocator<BuildPoint>>;
 
   void
   chooseOrigin (const Positions& positions);
@@ -84,10 +85,10 @@ private:
   treeCoordinates (const Eigen::Vector3f& base, const Eigen::Vector3f& offset) const;
 
   void
-  split (std::vector<BuildPoint>& points, const Execution& execution);
+  split (BuildPoints& points, const Execution& execution);
 
   void
-  splitNode (std::size_t node, std::vector<BuildPoint>& points);
+  splitNode (std::size_t node, BuildPoints& points);
 
   void
   fillSlots (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution);
@@ -133,13 +134,13 @@ private:
   CandidateQuery
   slotQuery (std::uint32_t slot) const;
 
-  std::size_t leaf_count_ = 1;             // a power of two; the leaves are the last leaf_count_ nodes
-  std::vector<Range> ranges_;              // of the nodes; the children of node i are 2i + 1 and 2i + 2
-  std::vector<Box> boxes_;                 // of the nodes, in the tree's coordinates
-  std::vector<std::uint32_t> order_;       // slot -> element
-  std::vector<std::uint32_t> rank_;        // slot -> rank
-  std::array<std::vector<float>, 3> base_; // slot -> x, y, z
-  std::array<std::vector<float>, 3> offset_;
+  std::size_t leaf_count_ = 1;       // a power of two; the leaves are the last leaf_count_ nodes
+  std::vector<Range> ranges_;        // of the nodes; the children of node i are 2i + 1 and 2i + 2
+  std::vector<Box> boxes_;           // of the nodes, in the tree's coordinates
+  std::vector<std::uint32_t> order_; // slot -> element
+  std::vector<std::uint32_t> rank_;  // slot -> rank
+  std::array<Numbers, 3> base_;      // slot -> x, y, z
+  std::array<Numbers, 3> offset_;
   bool has_offset_ = false;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero (); // of the tree's coordinates, which decide only where to look
 };
