@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -58,6 +59,7 @@ waitFor (int process, const std::string& folder)
 
 ToolTest::ToolTest ()
 {
+  std::signal (SIGINT, SIG_DFL); // what is started in the background ignores it, and so would the tools
   std::string name = (fs::temp_directory_path () / "test_tools.XXXXXX").string ();
   folder_ = mkdtemp (name.data ());
 }
