@@ -120,8 +120,8 @@ MUTATIONS = [
     ("tiles: a result is not compared with its checksum", TILES + "tile_result.cpp", "checksum.value () == written ?", "true ?"),
     ("tiles: all points into one file", TILES + "tile_merge.cpp", "points.add (tiles[i], ", "points.add (0 * tiles[i], "),
     ("tiles: a source may change", TILES + "smoothed_sources.cpp", "  if (!unchanged)\n", "  if (false)\n"),
-    ("tools: a failed write is not noticed", "tools/output_file.cpp", "if (written < 0 && errno != EINTR)",
-     "if (false)"),
+    ("tools: a failed write is not noticed", "tools/output_file.cpp", "      fail (\"cannot be written\");",
+     "      return;"),
 ]
 
 
