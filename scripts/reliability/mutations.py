@@ -108,8 +108,6 @@ MUTATIONS = [
     ("tools: a header may claim more than the file holds", "tools/pcd_format.cpp",
      "points > available / bytes_per_point", "false"),
     ("tiles: no row is ever in doubt", TILES + "proof.cpp", "if (depth_.rows < 0 || all_.cells.allLoaded ())", "if (true)"),
-    ("tiles: nothing is loaded around", TILES + "region.cpp", "loadWithin (place.box, hops * hopLength (plan_.cells, place.cell))",
-     "loadWithin (place.box, 0)"),
     ("tiles: read in a unit of their own", TILES + "region.cpp", "records_.data (), size ()}, plan_.unit, execution_",
      "records_.data (), size ()}, execution_"),
     ("tiles: normals of the files in the wrong order", TILES + "region.cpp", "size ()}, searched_->order ());",
