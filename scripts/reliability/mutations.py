@@ -129,7 +129,7 @@ def call(words, **more):
 
 def prepare(jobs):
     os.makedirs(SOURCE, exist_ok=True)
-    subprocess.run(f"git -C '{ROOT}' archive HEAD | tar -x --overwrite -C '{SOURCE}'", shell=True, check=True)
+    subprocess.run(f"git -C '{ROOT}' archive HEAD | tar -xm --overwrite -C '{SOURCE}'", shell=True, check=True)
     subprocess.run(["cmake", "-S", SOURCE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                     "-DBUILD_EXAMPLES=OFF"], check=True, stdout=subprocess.DEVNULL)
     subprocess.run(["cmake", "--build", BUILD, "--parallel", jobs, "--target", *LIBRARY_TESTS, "test_tools",
