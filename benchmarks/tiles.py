@@ -76,7 +76,7 @@ def plot(rows, whole, points, path):
     axes.axhline(1, color="#7a7a7a", linewidth=1)
     axes.set_xticks(range(len(rows)), [f"{size / 1e6:.2g}" for size in sizes])
     axes.set(xlabel="million points of a tile", ylabel="processor time / whole cloud",
-             title=f"What tiles of {points / 1e6:g} million points cost")
+             title=f"Smoothing {points / 1e6:g} million points in tiles")
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1, 1))
     figure.savefig(path, dpi=130)
