@@ -3,8 +3,8 @@
 
 #include "field_values.h"
 
-#include <pcl/common/io.h>
 #include <lzf.h>
+#include <pcl/common/io.h>
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #include "field_values.h"
 #include "pcd_format.h"
 
-#include <pcl/common/io.h>
 #include <lzf.h>
+#include <pcl/common/io.h>
 
 #include <cstring>
 #include <limits>
@@ -92,8 +92,8 @@ writeCompressed (const CloudFile& file, OutputFile& output)
   if (capacity > std::numeric_limits<std::uint32_t>::max ())
     throw FormatError ("a compressed PCD file holds 4 gigabytes at most, the cloud has more");
   std::string block (capacity, '\0');
-  const std::uint32_t sizes[2] = {lzf_compress (columns.data (), static_cast<unsigned> (columns.size ()),
-                                                block.data (), static_cast<unsigned> (capacity)),
+  const std::uint32_t sizes[2] = {lzf_compress (columns.data (), static_cast<unsigned> (columns.size ()), block.data (),
+                                                static_cast<unsigned> (capacity)),
                                   static_cast<std::uint32_t> (columns.size ())};
   if (sizes[0] == 0 && !columns.empty ())
     throw FormatError ("the cloud cannot be compressed");

@@ -89,8 +89,7 @@ doublesFarFromEachOther ()
   Positions positions;
   const Vectors shape = uniformCube (500, 10);
   for (std::size_t i = 0; i < shape.size (); ++i)
-    addDouble (0.3 * shape[i].cast<double> () +
-                   Eigen::Vector3d (1e6, -2e6, 3e6) * (static_cast<double> (i % 5) - 2),
+    addDouble (0.3 * shape[i].cast<double> () + Eigen::Vector3d (1e6, -2e6, 3e6) * (static_cast<double> (i % 5) - 2),
                positions);
   return positions;
 }

@@ -223,7 +223,8 @@ TEST_P (KernelsTest, VotesGoToTheBinOfTheirNormal)
         triples[corner][i] = static_cast<std::uint32_t> ((7 * i + (5 + round) * corner + 31 * round) % nodes_.size ());
     float normals[3][16];
     std::int32_t bins[16];
-    kernels ().vote_planes ({nodes_.base.data ()->data (), triples, rotation, band_cosine, band_begin, 3, normals, bins});
+    kernels ().vote_planes (
+        {nodes_.base.data ()->data (), triples, rotation, band_cosine, band_begin, 3, normals, bins});
     for (std::size_t i = 0; i < 16; ++i) {
       if (bins[i] < 0)
         continue;
