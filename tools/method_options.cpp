@@ -17,7 +17,6 @@ namespace tools
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity ();
 constexpr std::int64_t max_iterations = 1000000;
 
 const Words<SmoothingPreset> presets {{"default", SmoothingPreset::DEFAULT},

@@ -4,7 +4,6 @@
 #include "region.h"
 
 #include <cmath>
-#include <limits>
 
 namespace pcl_normal_smoothing
 {
@@ -12,8 +11,6 @@ namespace tools
 {
 namespace
 {
-constexpr double infinity = std::numeric_limits<double>::infinity ();
-
 /** Walks hop by hop, and looks at every row once. */
 class Walk
 {

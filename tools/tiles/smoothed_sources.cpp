@@ -17,7 +17,7 @@ namespace tools
 class SmoothedSources::ResultsInOrder
 {
 public:
-  ResultsInOrder (const Plan& plan, std::uint64_t memory) : plan_ (plan), step_ (plan.result.bytes ())
+  ResultsInOrder (const Plan& plan, std::uint64_t memory) : step_ (plan.result.bytes ())
   {
     window_ = std::clamp<std::uint64_t> (memory / 4 / (step_ + sizeof (std::uint32_t)), 1, 1u << 22);
     const std::size_t buffer = std::clamp<std::size_t> (memory / 4 / plan.tiles.size (), 1u << 12, 1u << 20);
@@ -54,7 +54,6 @@ private:
       }
   }
 
-  const Plan& plan_;
   std::size_t step_;
   std::uint64_t window_ = 0;
   std::uint64_t begin_ = 0;
