@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace pcl_normal_smoothing
@@ -35,37 +34,6 @@ VectorLayout::find (const pcl::PCLPointCloud2& cloud, const std::array<std::stri
     layout.row_step_ = cloud.row_step;
   }
   return layout;
-}
-
-Eigen::Vector3d
-VectorLayout::get (const std::uint8_t* data, std::size_t i) const
-{
-  Eigen::Vector3d value;
-  for (int d = 0; d < 3; ++d) {
-    const std::uint8_t* at = data + begin (i) + offsets_[static_cast<std::size_t> (d)];
-    if (scalar_ == Scalar::FLOAT32) {
-      float number;
-      std::memcpy (&number, at, sizeof number);
-      value[d] = number;
-    }
-    else
-      std::memcpy (&value[d], at, sizeof (double));
-  }
-  return value;
-}
-
-void
-VectorLayout::set (std::uint8_t* data, std::size_t i, const Eigen::Vector3d& value) const
-{
-  for (int d = 0; d < 3; ++d) {
-    std::uint8_t* at = data + begin (i) + offsets_[static_cast<std::size_t> (d)];
-    if (scalar_ == Scalar::FLOAT32) {
-      const auto number = static_cast<float> (value[d]);
-      std::memcpy (at, &number, sizeof number);
-    }
-    else
-      std::memcpy (at, &value[d], sizeof (double));
-  }
 }
 
 namespace
@@ -183,12 +151,14 @@ writeDisplacements (const core::Vectors& displacements,
                     std::uint8_t* data,
                     const core::Execution& execution)
 {
+  constexpr std::size_t ahead = 16; // nodes follow space, points need not
   core::parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
+      layout.prefetch (data, order[std::min (node + ahead, end - 1)]);
       if (!selected[order[node]] || displacements[node].isZero (0))
         continue;
-      layout.set (data, order[node], layout.get (data, order[node]) + unit * displacements[node].cast<double> ());
-      if (!layout.get (data, order[node]).allFinite ())
+      const Eigen::Vector3d place = layout.get (data, order[node]) + unit * displacements[node].cast<double> ();
+      if (!layout.set (data, order[node], place))
         throw core::Error ("point " + std::to_string (order[node]) +
                            " would move to where its coordinates can hold no number: give the cloud in another unit");
     }

@@ -9,6 +9,7 @@
 #include <pcl/point_types.h>
 
 #include <array>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,12 +60,48 @@ public:
 
   /** The vector of point \a i of the cloud that begins at \a data. */
   Eigen::Vector3d
-  get (const std::uint8_t* data, std::size_t i) const;
+  get (const std::uint8_t* data, std::size_t i) const
+  {
+    const std::uint8_t* const point = data + begin (i);
+    return scalar_ == Scalar::FLOAT32 ? numbersAt<float> (point).template cast<double> () : numbersAt<double> (point);
+  }
 
+  /** \return whether the point can hold the value: false where a number is not finite, or too large for a float */
+  bool
+  set (std::uint8_t* data, std::size_t i, const Eigen::Vector3d& value) const
+  {
+    std::uint8_t* const point = data + begin (i);
+    return scalar_ == Scalar::FLOAT32 ? putNumbers<float> (point, value.cast<float> ())
+                                      : putNumbers<double> (point, value);
+  }
+
+  /** Tells the processor that point \a i is soon asked for. */
   void
-  set (std::uint8_t* data, std::size_t i, const Eigen::Vector3d& value) const;
+  prefetch (const std::uint8_t* data, std::size_t i) const
+  {
+    __builtin_prefetch (data + begin (i) + offsets_[0], 1);
+  }
 
 private:
+  template <typename Number>
+  Eigen::Matrix<Number, 3, 1>
+  numbersAt (const std::uint8_t* point) const
+  {
+    Eigen::Matrix<Number, 3, 1> numbers;
+    for (std::size_t d = 0; d < 3; ++d)
+      std::memcpy (numbers.data () + d, point + offsets_[d], sizeof (Number));
+    return numbers;
+  }
+
+  template <typename Number>
+  bool
+  putNumbers (std::uint8_t* point, const Eigen::Matrix<Number, 3, 1>& numbers) const
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+      std::memcpy (point + offsets_[d], numbers.data () + d, sizeof (Number));
+    return numbers.allFinite ();
+  }
+
   std::size_t
   begin (std::size_t i) const
   {

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/kd_tree.h>
+#include <pcl_normal_smoothing/core/select_nth.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
-namespace
-{
-constexpr std::uint32_t max_leaf_size = 16;
-} // namespace
-
 KdTree::KdTree (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution)
 {
   while (positions.size () > max_leaf_size * leaf_count_)
@@ -54,12 +51,10 @@ KdTree::chooseOrigin (const Positions& positions)
 }
 
 KdTree::Box
-KdTree::makeBox (const Coordinates& low, const Coordinates& high) const
+KdTree::makeBox (const Eigen::Array4f& low, const Eigen::Array4f& high) const
 {
   Box box {low, high};
-  float largest = 0;
-  for (int d = 0; has_offset_ && d < 3; ++d)
-    largest = std::max ({largest, std::abs (low[d]), std::abs (high[d])});
+  const float largest = has_offset_ ? low.abs ().max (high.abs ()).maxCoeff () : 0;
   box.slack = 4 * std::numeric_limits<float>::epsilon () * largest;
   return box;
 }
@@ -78,40 +73,61 @@ KdTree::split (BuildPoints& points, const Execution& execution)
   ranges_.resize (node_count);
   boxes_.resize (node_count);
   ranges_[0] = {0, static_cast<std::uint32_t> (points.size ())};
-  for (std::size_t level_size = 1; level_size <= leaf_count_; level_size *= 2) {
-    const std::size_t first = level_size - 1;
+  // Level by level while there are few nodes; below, a thread takes whole branches, which stay in its cache.
+  const std::size_t branches = std::max<std::size_t> (1, leaf_count_ / 64);
+  for (std::size_t level_size = 1; level_size < branches; level_size *= 2)
     parallelFor (
         level_size, execution.part (0, 0),
         [&] (std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i)
-            splitNode (first + i, points);
+            splitNode (level_size - 1 + i, points);
         },
         std::max<std::size_t> (1, level_size / 256));
-  }
+  parallelFor (
+      branches, execution.part (0, 0),
+      [&] (std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          splitBranch (branches - 1 + i, points);
+      },
+      std::max<std::size_t> (1, branches / 256));
+}
+
+void
+KdTree::splitBranch (std::size_t node, BuildPoints& points)
+{
+  splitNode (node, points);
+  if (node >= leaf_count_ - 1)
+    return;
+  splitBranch (2 * node + 1, points);
+  splitBranch (2 * node + 2, points);
 }
 
 void
 KdTree::splitNode (std::size_t node, BuildPoints& points)
 {
   const Range range = ranges_[node];
-  const auto point = points.begin ();
-  Box box {point[range.begin].at, point[range.begin].at};
-  for (std::uint32_t i = range.begin; i < range.end; ++i)
-    for (int d = 0; d < 3; ++d) {
-      box.low[d] = std::min (box.low[d], point[i].at[d]);
-      box.high[d] = std::max (box.high[d], point[i].at[d]);
-    }
-  boxes_[node] = makeBox (box.low, box.high);
+  BuildPoint* const point = points.data ();
+  const auto quad = [&] (std::uint32_t i) { // its last number means nothing
+    Eigen::Array4f numbers;
+    static_assert (sizeof numbers == sizeof (BuildPoint), "a point is copied whole");
+    std::memcpy (numbers.data (), point + i, sizeof numbers);
+    return numbers;
+  };
+  Eigen::Array4f low = quad (range.begin), high = low;
+  for (std::uint32_t i = range.begin; i < range.end; ++i) {
+    low = low.min (quad (i));
+    high = high.max (quad (i));
+  }
+  low[3] = high[3] = 0;
+  boxes_[node] = makeBox (low, high);
   if (node >= leaf_count_ - 1)
     return;
 
-  int widest = 0;
-  for (int d = 1; d < 3; ++d)
-    if (box.high[d] - box.low[d] > box.high[widest] - box.low[widest])
-      widest = d;
+  Eigen::Index widest;
+  (high - low).maxCoeff (&widest);
   const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
-  std::nth_element (point + range.begin, point + middle, point + range.end,
-                    [widest] (const BuildPoint& a, const BuildPoint& b) { return a.at[widest] < b.at[widest]; });
+  selectNth (point + range.begin, point + middle, point + range.end,
+             [widest] (const BuildPoint& p) { return p.at[static_cast<std::size_t> (widest)]; });
   ranges_[2 * node + 1] = {range.begin, middle};
   ranges_[2 * node + 2] = {middle, range.end};
 }
@@ -121,8 +137,8 @@ KdTree::fillSlots (const Positions& positions, const std::vector<std::uint32_t>&
 {
   rank_.resize (order_.size ());
   for (int d = 0; d < 3; ++d) {
-    base_[d].resize (order_.size ());
-    offset_[d].resize (has_offset_ ? order_.size () : 0);
+    base_[d].resize (order_.size () + max_leaf_size);
+    offset_[d].resize (has_offset_ ? order_.size () + max_leaf_size : 0);
   }
   parallelFor (order_.size (), execution.part (0, 0), [&] (std::size_t begin, std::size_t end) {
     for (std::size_t slot = begin; slot < end; ++slot) {

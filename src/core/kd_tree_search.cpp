@@ -38,6 +38,19 @@ sqBoundOf (float radius)
   return std::isfinite (radius) ? std::nextafter (radius * radius, 0.0f) : infinity;
 }
 
+/** The k-th smallest of some keys, which may change their order. */
+float
+kthKey (float* keys, std::size_t size, std::size_t k, std::vector<std::int32_t>& ranks)
+{
+  ranks.resize (std::max (ranks.size (), max_ranked + whole_lanes));
+  if (size <= max_ranked && kernels ().rank_keys (keys, size, ranks.data ())) {
+    const auto kth = std::find (ranks.begin (), ranks.end (), static_cast<std::int32_t> (k - 1));
+    return keys[kth - ranks.begin ()];
+  }
+  std::nth_element (keys, keys + (k - 1), keys + size);
+  return keys[k - 1];
+}
+
 float
 distance (const CandidateQuery& a, const CandidateQuery& b)
 {
@@ -66,15 +79,13 @@ KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisit
 {
   const Range own = ranges_[leaf];
   const Box& box = boxes_[leaf];
-  Coordinates center;
-  for (int d = 0; d < 3; ++d)
-    center[d] = 0.5f * box.low[d] + 0.5f * box.high[d];
+  const Eigen::Array4f middle = 0.5f * box.low + 0.5f * box.high;
   // A ball about the leaf's middle that holds k points bounds the distances of the k nearest of every point of the leaf.
   std::size_t branch = leaf;
   while (branch > 0 && ranges_[branch].end - ranges_[branch].begin < 2 * std::size_t (query.k))
     branch = (branch - 1) / 2;
   const float half_diagonal = std::sqrt (sqDistance ({box.low, box.low}, {box.high, box.high}));
-  const float ball = query.k == 0 ? infinity : ballRadius (center, branch, query.k, scratch);
+  const float ball = query.k == 0 ? infinity : ballRadius ({middle[0], middle[1], middle[2]}, branch, query.k, scratch);
   const float reach = std::min (ball + half_diagonal, query.radius);
   gatherCandidates (box, reach, scratch);
 
@@ -84,7 +95,7 @@ KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisit
   for (std::uint32_t slot = own.begin; slot < own.end; ++slot) {
     CandidateQuery point = slotQuery (slot);
     const Box at = pointBox (point);
-    float bound = std::min (reach, ball + std::sqrt (sqDistance ({at.low, at.high}, {center, center})) + 2 * box.slack);
+    float bound = std::min (reach, ball + std::sqrt (sqDistance ({at.low, at.high}, {middle, middle})) + 2 * box.slack);
     for (const auto& other : earlier)
       bound = std::min (bound, distance (point, other.first) + other.second);
     point.sq_bound = std::min (sqReachOf (bound + box.slack), sqBoundOf (query.radius));
@@ -102,7 +113,7 @@ KdTree::search (const Eigen::Vector3f& base,
                 Scratch& scratch) const
 {
   const Coordinates at = treeCoordinates (base, offset);
-  const Box box = makeBox (at, at);
+  const Box box = makeBox (quadOf (at), quadOf (at));
   std::size_t branch = 0; // the smallest with enough points that the point falls into
   while (branch < leaf_count_ - 1 && ranges_[2 * branch + 1].end - ranges_[2 * branch + 1].begin >= 2 * query.k) {
     const bool left = sqDistance (box, boxes_[2 * branch + 1]) <= sqDistance (box, boxes_[2 * branch + 2]);
@@ -123,61 +134,70 @@ KdTree::ballRadius (const Coordinates& center, std::size_t branch, std::size_t k
   const Range range = ranges_[branch];
   if (range.end - range.begin < k)
     return infinity;
-  std::vector<float>& sq_dists = scratch.sq_dists;
-  sq_dists.clear ();
-  for (std::uint32_t slot = range.begin; slot < range.end; ++slot) {
-    const Coordinates at = pointBox (slotQuery (slot)).low;
-    sq_dists.push_back (square (at[0] - center[0]) + square (at[1] - center[1]) + square (at[2] - center[2]));
+  const std::size_t size = range.end - range.begin;
+  scratch.sq_dists.resize (std::max (scratch.sq_dists.size (), size + whole_lanes));
+  float* const sq_dists = scratch.sq_dists.data ();
+  for (std::size_t i = 0; i < size; ++i) {
+    const Coordinates at = slotCoordinates (range.begin + i);
+    sq_dists[i] = square (at[0] - center[0]) + square (at[1] - center[1]) + square (at[2] - center[2]);
   }
-  const auto kth = sq_dists.begin () + static_cast<std::ptrdiff_t> (k - 1);
-  std::nth_element (sq_dists.begin (), kth, sq_dists.end ());
-  return std::sqrt (*kth) * (1 + 1e-5f) + boxes_[branch].slack;
+  return std::sqrt (kthKey (sq_dists, size, k, scratch.ranks)) * (1 + 1e-5f) + boxes_[branch].slack;
+}
+
+void
+KdTree::nearLeaves (const Box& box, float reach, Scratch& scratch) const
+{
+  const float sq_reach = sqReachOf (reach);
+  std::vector<std::uint32_t>&nodes = scratch.nodes, &children = scratch.children;
+  nodes.assign (1, 0);
+  for (std::size_t first = 0; first < leaf_count_ - 1; first = 2 * first + 1) {
+    children.resize (2 * nodes.size ());
+    std::size_t count = 0; // without a branch: which child is near is as good as random
+    for (const std::uint32_t node : nodes)
+      for (const std::uint32_t child : {2 * node + 1, 2 * node + 2}) {
+        children[count] = child;
+        count += sqDistance (box, boxes_[child]) <= sq_reach;
+      }
+    children.resize (count);
+    nodes.swap (children);
+  }
 }
 
 void
 KdTree::gatherCandidates (const Box& box, float reach, Scratch& scratch) const
 {
-  scratch.slots.clear ();
-  for (int d = 0; d < 3; ++d) {
-    scratch.base[d].clear ();
-    scratch.offset[d].clear ();
-  }
-  const float sq_reach = sqReachOf (reach);
-  scratch.nodes.assign (1, 0);
-  while (!scratch.nodes.empty ()) {
-    const std::uint32_t node = scratch.nodes.back ();
-    scratch.nodes.pop_back ();
-    if (sqDistance (box, boxes_[node]) > sq_reach)
-      continue;
-    if (node < leaf_count_ - 1) {
-      scratch.nodes.push_back (2 * node + 1);
-      scratch.nodes.push_back (2 * node + 2);
-      continue;
-    }
-    const Range range = ranges_[node];
-    for (std::uint32_t slot = range.begin; slot < range.end; ++slot)
-      scratch.slots.push_back (slot);
+  nearLeaves (box, reach, scratch);
+  const std::size_t room = (scratch.nodes.size () + 1) * max_leaf_size;
+  if (scratch.slots.size () < room) {
+    scratch.slots.resize (room);
     for (int d = 0; d < 3; ++d) {
-      scratch.base[d].insert (scratch.base[d].end (), base_[d].begin () + range.begin, base_[d].begin () + range.end);
-      if (has_offset_)
-        scratch.offset[d].insert (scratch.offset[d].end (), offset_[d].begin () + range.begin,
-                                  offset_[d].begin () + range.end);
+      scratch.base[d].resize (room);
+      scratch.offset[d].resize (has_offset_ ? room : 0);
     }
+    scratch.selected.resize (room);
   }
-  const std::size_t padded = (scratch.slots.size () + whole_lanes - 1) / whole_lanes * whole_lanes;
-  for (int d = 0; d < 3; ++d) {
-    scratch.base[d].resize (padded);
-    scratch.offset[d].resize (has_offset_ ? padded : 0);
+  scratch.sq_dists.resize (std::max (scratch.sq_dists.size (), room));
+
+  scratch.candidate_count = 0;
+  for (const std::uint32_t leaf : scratch.nodes) {
+    const Range range = ranges_[leaf];
+    const std::size_t count = scratch.candidate_count;
+    for (std::uint32_t i = 0; i < max_leaf_size; ++i)
+      scratch.slots[count + i] = range.begin + i;
+    for (int d = 0; d < 3; ++d) { // whole leaves: to copy what lies behind a smaller one costs less than to count
+      std::copy_n (base_[d].data () + range.begin, max_leaf_size, scratch.base[d].data () + count);
+      if (has_offset_)
+        std::copy_n (offset_[d].data () + range.begin, max_leaf_size, scratch.offset[d].data () + count);
+    }
+    scratch.candidate_count += range.end - range.begin;
   }
-  scratch.sq_dists.resize (padded + whole_lanes);
-  scratch.selected.resize (padded + whole_lanes);
 }
 
 void
 KdTree::selectNearest (const CandidateQuery& query, std::uint32_t excluded, std::size_t count, Scratch& scratch) const
 {
   Candidates candidates {};
-  candidates.count = scratch.slots.size ();
+  candidates.count = scratch.candidate_count;
   for (int d = 0; d < 3; ++d) {
     candidates.base[d] = scratch.base[d].data ();
     candidates.offset[d] = has_offset_ ? scratch.offset[d].data () : nullptr;
@@ -224,7 +244,16 @@ KdTree::pointBox (const CandidateQuery& point) const
 {
   const Coordinates at = treeCoordinates (Eigen::Vector3f (point.base[0], point.base[1], point.base[2]),
                                           Eigen::Vector3f (point.offset[0], point.offset[1], point.offset[2]));
-  return makeBox (at, at);
+  return makeBox (quadOf (at), quadOf (at));
+}
+
+KdTree::Coordinates
+KdTree::slotCoordinates (std::size_t slot) const
+{
+  if (has_offset_)
+    return treeCoordinates (Eigen::Vector3f (base_[0][slot], base_[1][slot], base_[2][slot]),
+                            Eigen::Vector3f (offset_[0][slot], offset_[1][slot], offset_[2][slot]));
+  return {base_[0][slot], base_[1][slot], base_[2][slot]}; // their origin is zero
 }
 
 CandidateQuery

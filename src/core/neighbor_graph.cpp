@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "neighbor_graph_rows.h"
+
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/core/kd_tree.h>
-#include <pcl_normal_smoothing/core/neighbor_graph.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <iterator>
 #include <string>
 
 namespace pcl_normal_smoothing
@@ -46,83 +46,6 @@ finiteElements (const Positions& positions, const Execution& execution)
                   finite.end ());
   return finite;
 }
-
-/** Takes the rows of a graph in any order from any thread. */
-class NeighborGraph::Rows
-{
-public:
-  /** \param[in] length of every row, 0 = they differ */
-  Rows (NeighborGraph& graph, std::size_t length) : graph_ (graph), length_ (length)
-  {
-    if (length == 0)
-      rows_.resize (graph_.size ());
-    else
-      setLengths (std::vector<std::size_t> (graph_.blockCount (), length));
-  }
-
-  /** \param[in] node_of the node in every slot that \a row names; empty = they are the nodes */
-  void
-  put (std::uint32_t node, const std::vector<Neighbor>& row, const std::vector<std::uint32_t>& node_of)
-  {
-    const auto nodeOf = [&] (const Neighbor& neighbor) {
-      return node_of.empty () ? neighbor.slot : node_of[neighbor.slot];
-    };
-    if (length_ == 0)
-      std::transform (row.begin (), row.end (), std::back_inserter (rows_[node]), nodeOf);
-    else {
-      std::uint32_t* out = begin (node);
-      *out = node;
-      for (const Neighbor& neighbor : row)
-        *(out += block_size) = nodeOf (neighbor);
-    }
-  }
-
-  void
-  finish ()
-  {
-    if (length_ == 0)
-      copyRows ();
-    const std::size_t size = graph_.size ();
-    for (std::size_t lane = size; lane < graph_.blockCount () * block_size; ++lane)
-      for (std::size_t j = 0; j < graph_.blockLength (lane / block_size); ++j)
-        begin (lane)[j * block_size] = begin (size - 1)[j * block_size];
-  }
-
-private:
-  std::uint32_t*
-  begin (std::size_t node)
-  {
-    return graph_.neighbors_[0]->data () + graph_.block_begin_[node / block_size] + node % block_size;
-  }
-
-  void
-  setLengths (const std::vector<std::size_t>& lengths)
-  {
-    graph_.block_begin_.assign (1, 0);
-    for (const std::size_t length : lengths)
-      graph_.block_begin_.push_back (graph_.block_begin_.back () + length * block_size);
-    graph_.neighbors_ = {std::make_shared<Neighbors> (graph_.block_begin_.back ())};
-    for (std::size_t block = 0; block < lengths.size (); ++block)
-      graph_.block_rows_.push_back (graph_.neighbors_[0]->data () + graph_.block_begin_[block]);
-  }
-
-  void
-  copyRows ()
-  {
-    std::vector<std::size_t> lengths (graph_.blockCount (), 1);
-    for (std::size_t node = 0; node < rows_.size (); ++node)
-      lengths[node / block_size] = std::max (lengths[node / block_size], rows_[node].size () + 1);
-    setLengths (lengths);
-    for (std::size_t node = 0; node < rows_.size (); ++node)
-      for (std::size_t j = 0; j < lengths[node / block_size]; ++j)
-        begin (node)[j * block_size] =
-            j == 0 || j > rows_[node].size () ? static_cast<std::uint32_t> (node) : rows_[node][j - 1];
-  }
-
-  NeighborGraph& graph_;
-  std::size_t length_;
-  std::vector<std::vector<std::uint32_t>> rows_; // where lengths differ; without the node itself
-};
 
 Row
 NeighborGraph::row (std::size_t node) const
@@ -220,6 +143,67 @@ NeighborGraph::rebuild (const Positions& nodes, const NeighborQuery& query, cons
   tree.searchAll (query, execution,
                   [&] (std::uint32_t slot, const auto& row) { rows.put (tree.order ()[slot], row, tree.order ()); });
   rows.finish ();
+  return graph;
+}
+
+namespace
+{
+/** Searches the rows of the points from rows.size () on.
+  * \param[out] rows without the point itself; the slots are numbers of points, as the ranks of the tree are */
+void
+searchRows (const KdTree& tree,
+            const Positions& cloud,
+            const std::vector<std::uint32_t>& points,
+            const NeighborQuery& query,
+            const Execution& execution,
+            std::vector<std::vector<Neighbor>>& rows)
+{
+  const std::size_t first = rows.size ();
+  rows.resize (points.size ());
+  parallelFor (rows.size () - first, execution, [&] (std::size_t begin, std::size_t end) {
+    KdTree::Scratch scratch;
+    for (std::size_t i = first + begin; i < first + end; ++i)
+      for (const Neighbor& found : tree.search (cloud.base[points[i]], cloud.offset[points[i]], query, scratch))
+        if (found.rank != points[i] && (query.k == 0 || rows[i].size () + 1 < query.k))
+          rows[i].push_back ({found.sq_dist, found.rank, found.rank});
+  });
+}
+} // namespace
+
+NeighborGraph::Ptr
+NeighborGraph::buildAround (const Positions& cloud,
+                            const std::vector<std::uint32_t>& start,
+                            int hops,
+                            const NeighborQuery& query,
+                            const Execution& execution)
+{
+  constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
+  auto graph = std::make_shared<NeighborGraph> ();
+  graph->cloud_size_ = cloud.size ();
+  graph->order_ = start;
+  if (start.empty ())
+    return graph;
+  const std::vector<std::uint32_t> finite = finiteElements (cloud, execution.silent ());
+  const KdTree tree (gather (cloud, finite, execution.silent ()), finite, execution.silent ());
+  std::vector<std::uint32_t> node_of (cloud.size (), no_node); // of a point
+  for (std::uint32_t node = 0; node < start.size (); ++node)
+    node_of[start[node]] = node;
+
+  std::vector<std::vector<Neighbor>> rows;
+  for (int hop = 0; hop <= hops; ++hop) {
+    const std::size_t reached = rows.size ();
+    searchRows (tree, cloud, graph->order_, query, execution.part (hop, hop + 1, hops + 1), rows);
+    for (std::size_t node = reached; node < rows.size (); ++node)
+      for (const Neighbor& neighbor : rows[node])
+        if (node_of[neighbor.slot] == no_node) {
+          node_of[neighbor.slot] = static_cast<std::uint32_t> (graph->order_.size ());
+          graph->order_.push_back (neighbor.slot);
+        }
+  }
+  Rows of_graph (*graph, 0);
+  for (std::uint32_t node = 0; node < rows.size (); ++node)
+    of_graph.put (node, rows[node], node_of);
+  of_graph.finish ();
   return graph;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace
 {
@@ -76,6 +77,34 @@ TEST_P (NeighborGraphTest, RebuiltAfterMotionItFindsTheMovedNeighbours)
     EXPECT_EQ (rebuilt->order (), graph->order ());
     expectExact (*rebuilt, moved, query);
     expectExact (*graph->rebuild (nodes, unorderedSearch (moved, query), Execution (2)), moved, query);
+  }
+}
+
+TEST_P (NeighborGraphTest, AroundSomePointsTheRowsWithinTheHopsAreThoseOfAll)
+{
+  const Positions& cloud = GetParam ().positions;
+  const auto size = static_cast<std::uint32_t> (cloud.size ());
+  const std::set<std::uint32_t> some = {7 % size, 3 % size, size - 1};
+  const std::vector<std::uint32_t> start (some.rbegin (), some.rend ());
+  for (const NeighborQuery& query : {NeighborQuery {7, no_radius}, NeighborQuery {0, 0.8f}, NeighborQuery {9, 1.2f}}) {
+    const auto graph = NeighborGraph::buildAround (cloud, start, 2, query, Execution (2));
+    std::set<std::uint32_t> reached (start.begin (), start.end ()), all = reached;
+    for (int hop = 0; hop <= 2; ++hop) {
+      reached = all;
+      for (const std::uint32_t point : reached)
+        for (const std::uint32_t neighbor : bruteForceRow (cloud, point, query))
+          all.insert (neighbor);
+    }
+    ASSERT_EQ (graph->cloudSize (), cloud.size ());
+    EXPECT_EQ (std::set<std::uint32_t> (graph->order ().begin (), graph->order ().end ()), all);
+    ASSERT_EQ (graph->size (), all.size ()) << "a node is there twice";
+    for (std::size_t node = 0; node < graph->size (); ++node) {
+      const std::uint32_t point = graph->order ()[node];
+      EXPECT_TRUE (node >= start.size () || point == start[node]) << "node " << node;
+      ASSERT_EQ (rowInCloud (*graph, node),
+                 reached.count (point) > 0 ? bruteForceRow (cloud, point, query) : IndexRow {point})
+          << "node " << node;
+    }
   }
 }
 

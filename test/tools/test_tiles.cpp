@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field_values.h"
+#include "region.h"
 #include "tiles_fixture.h"
 
 #include <cmath>
+#include <map>
 
 using namespace pcl_normal_smoothing;
 
@@ -54,6 +56,37 @@ TEST_F (Tiles, CloseSheetsAreSeparatedAlike)
   succeed ("pcl_normal_smoothing cloud.pcd separated.pcd");
   succeed ("pcl_normal_smoothing cloud.pcd mixed.pcd -sheet_distance inf");
   EXPECT_NE (contentOf (path ("separated.pcd")), contentOf (path ("mixed.pcd"))) << "the test is of no use";
+}
+
+TEST_F (Tiles, RowsOfAFewPointsAreThoseOfAll)
+{
+  saveCloud (closeSheets (), "cloud.pcd");
+  succeed ("pcl_normal_smoothing_tiles plan tiles.d cloud.pcd -max_points 1600");
+  const tools::Plan plan = tools::loadPlan (path ("tiles.d"));
+  const core::Execution execution (2);
+  std::vector<tools::Region::Place> places;
+  for (std::uint32_t cell = 0; cell < plan.cells.size (); ++cell)
+    places.push_back ({cell, plan.cells[cell].box});
+
+  const auto rowsOfEvery = [&] (std::uint64_t nth, const tools::Depth& depth) { // by the numbers of points
+    tools::Region region (plan, plan.query, execution);
+    region.load (
+        places, [nth] (std::uint32_t, std::uint64_t number) { return number % nth == 0; }, depth);
+    const core::NeighborGraph& graph = *region.graph ();
+    std::map<std::uint32_t, std::vector<std::uint32_t>> rows;
+    for (const std::uint32_t node : region.wanted ())
+      for (std::size_t j = 0; j < graph.row (node).size (); ++j)
+        rows[graph.order ()[node]].push_back (graph.order ()[graph.row (node)[j]]);
+    return rows;
+  };
+  auto separated = rowsOfEvery (1, {0, 3}), mixed = rowsOfEvery (1, {0, -1});
+  ASSERT_EQ (separated.size (), 1600u);
+  for (const auto& [number, row] : rowsOfEvery (800, {0, 3})) {
+    EXPECT_EQ (row, separated[number]) << "point " << number;
+    EXPECT_NE (row, mixed[number]) << "the test is of no use";
+  }
+  for (const auto& [number, row] : rowsOfEvery (800, {0, -1}))
+    EXPECT_EQ (row, mixed[number]) << "point " << number;
 }
 
 TEST_F (Tiles, TilesOfOnePoint)

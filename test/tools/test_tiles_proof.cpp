@@ -82,7 +82,7 @@ searchPart (const Cubes& cubes, const core::NeighborQuery& query, const std::vec
   const auto found = rowsOf (*graph, numbers, all.size ());
   std::set<std::uint32_t> doubted;
   for (const Doubt& doubt :
-       findDoubts ({cubes.plan, query, *graph, *graph, nodes, cell_of, index}, wanted, Depth {0, -1}))
+       findDoubts ({cubes.plan, query, *graph, *graph, nodes, cell_of, index}, wanted, Depth {0, -1}, execution))
     doubted.insert (numbers[graph->order ()[doubt.node]]);
   Part result;
   result.loaded = numbers.size ();

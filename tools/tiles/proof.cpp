@@ -3,7 +3,10 @@
 
 #include "region.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
 
 namespace pcl_normal_smoothing
 {
@@ -15,9 +18,10 @@ namespace
 class Walk
 {
 public:
-  Walk (const Neighborhoods& neighborhoods, const Depth& depth)
+  Walk (const Neighborhoods& neighborhoods, const Depth& depth, const core::Execution& execution)
   : all_ (neighborhoods)
   , depth_ (depth)
+  , execution_ (execution)
   , seen_ (neighborhoods.searched.size ())
   , gaps_ (neighborhoods.plan.cells.size (), -1)
   {}
@@ -27,7 +31,10 @@ public:
   {
     if (depth_.rows < 0 || all_.cells.allLoaded ())
       return {};
-    visit (wanted);
+    findGaps ();
+    for (const std::uint32_t node : wanted)
+      seen_[node] = VISITED;
+    nodes_ = wanted;
     std::size_t begin = 0;
     int hop = 0;
     for (; hop <= depth_.rows; ++hop)
@@ -45,43 +52,54 @@ private:
   look (const core::NeighborGraph& graph, std::size_t begin, int hops_left, bool go_on)
   {
     const std::size_t end = nodes_.size ();
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t node = nodes_[i];
-      if ((seen_[node] & CHECKED) == 0 && !isCertain (node))
-        doubts_.push_back ({node, hops_left + std::max (depth_.separation, 0)});
-      seen_[node] |= CHECKED;
-      if (!go_on)
-        continue;
-      const core::Row row = graph.row (node);
-      for (std::size_t j = 0; j < row.size (); ++j)
-        visit (row[j]);
-    }
+    std::vector<std::uint32_t> visited;
+    core::parallelFor (end - begin, execution_.silent (), [&] (std::size_t from, std::size_t to) {
+      std::vector<Doubt> doubts;
+      std::vector<std::uint32_t> nodes;
+      for (std::size_t i = begin + from; i < begin + to; ++i) {
+        const std::uint32_t node = nodes_[i];
+        if ((seen_[node].fetch_or (CHECKED, std::memory_order_relaxed) & CHECKED) == 0 && !isCertain (node))
+          doubts.push_back ({node, hops_left + std::max (depth_.separation, 0)});
+        const core::Row row = graph.row (node);
+        for (std::size_t j = 0; go_on && j < row.size (); ++j)
+          if (isFirstVisit (row[j]))
+            nodes.push_back (row[j]);
+      }
+      const std::lock_guard lock (mutex_);
+      doubts_.insert (doubts_.end (), doubts.begin (), doubts.end ());
+      visited.insert (visited.end (), nodes.begin (), nodes.end ());
+    });
+    nodes_.insert (nodes_.end (), visited.begin (), visited.end ());
     return end;
   }
 
-  void
-  visit (std::uint32_t node)
+  bool
+  isFirstVisit (std::uint32_t node)
   {
-    if (seen_[node] == 0)
-      nodes_.push_back (node);
-    seen_[node] |= VISITED;
+    // To read costs less than to write, and most have been seen.
+    return seen_[node].load (std::memory_order_relaxed) == 0 &&
+           seen_[node].fetch_or (VISITED, std::memory_order_relaxed) == 0;
   }
 
+  /** From every loaded cell to the nearest that is not. */
   void
-  visit (const std::vector<std::uint32_t>& nodes)
+  findGaps ()
   {
-    for (const std::uint32_t node : nodes)
-      visit (node);
+    core::parallelFor (
+        gaps_.size (), execution_.silent (),
+        [&] (std::size_t begin, std::size_t end) {
+          for (auto cell = static_cast<std::uint32_t> (begin); cell < end; ++cell)
+            if (all_.cells.isLoaded (cell))
+              gaps_[cell] = all_.cells.distanceFrom (all_.plan.cells[cell].box);
+        },
+        256);
   }
 
   bool
-  isCertain (std::uint32_t node)
+  isCertain (std::uint32_t node) const
   {
     const double radius = all_.rowRadius (node);
-    double& gap = gaps_[all_.cellOf (node)];
-    if (gap < 0)
-      gap = all_.cells.distanceFrom (all_.plan.cells[all_.cellOf (node)].box);
-    return radius < gap || !all_.cells.isNear (all_.placeOf (node), radius);
+    return radius < gaps_[all_.cellOf (node)] || !all_.cells.isNear (all_.placeOf (node), radius);
   }
 
   enum Seen : std::uint8_t
@@ -92,8 +110,10 @@ private:
 
   const Neighborhoods& all_;
   const Depth& depth_;
-  std::vector<std::uint8_t> seen_;
-  std::vector<double> gaps_; // from every cell to the nearest that is not loaded; below 0: not known yet
+  const core::Execution& execution_;
+  std::mutex mutex_; // of what all threads add to
+  std::vector<std::atomic<std::uint8_t>> seen_;
+  std::vector<double> gaps_;
   std::vector<std::uint32_t> nodes_;
   std::vector<Doubt> doubts_;
 };
@@ -119,9 +139,12 @@ Neighborhoods::rowRadius (std::uint32_t node) const
 }
 
 std::vector<Doubt>
-findDoubts (const Neighborhoods& neighborhoods, const std::vector<std::uint32_t>& wanted, const Depth& depth)
+findDoubts (const Neighborhoods& neighborhoods,
+            const std::vector<std::uint32_t>& wanted,
+            const Depth& depth,
+            const core::Execution& execution)
 {
-  return Walk (neighborhoods, depth).run (wanted);
+  return Walk (neighborhoods, depth, execution).run (wanted);
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -49,9 +49,12 @@ struct Neighborhoods
 };
 
 /** Walks over the rows that a computation for the \a wanted nodes reads.
-  * \return the nodes whose searched row could be another if all points were there; empty: the computation gives what it would give
-  *         for the whole cloud */
+  * \return the nodes, in any order, whose searched row could be another if all points were there; empty: the computation gives
+  *         what it would give for the whole cloud */
 std::vector<Doubt>
-findDoubts (const Neighborhoods& neighborhoods, const std::vector<std::uint32_t>& wanted, const Depth& depth);
+findDoubts (const Neighborhoods& neighborhoods,
+            const std::vector<std::uint32_t>& wanted,
+            const Depth& depth,
+            const core::Execution& execution);
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -14,6 +14,8 @@ namespace
 {
 // A walk takes the long hops.
 constexpr double hop_lengths = 1.2;
+// Of what is loaded, points that are few against it.
+constexpr std::size_t few_of = 500;
 
 double
 farthest (const Eigen::Vector3d& place, const Eigen::AlignedBox3d& box)
@@ -32,6 +34,27 @@ hopLength (const std::vector<Cell>& cells, std::size_t cell)
                     reaches.end ());
   return hop_lengths * static_cast<double> (reaches[reaches.size () / 2]);
 }
+
+/** Sorts parts side by side, then merges them. */
+template <typename Item, typename Less>
+void
+sortInParts (std::vector<Item>& items, const core::Execution& execution, const Less& less)
+{
+  constexpr std::size_t part_size = 1 << 18;
+  const auto at = [&] (std::size_t i) {
+    return items.begin () + static_cast<std::ptrdiff_t> (std::min (i, items.size ()));
+  };
+  core::parallelFor (
+      items.size (), execution, [&] (std::size_t begin, std::size_t end) { std::sort (at (begin), at (end), less); },
+      part_size);
+  for (std::size_t size = part_size; size < items.size (); size *= 2)
+    core::parallelFor (
+        items.size (), execution,
+        [&] (std::size_t begin, std::size_t end) {
+          std::inplace_merge (at (begin), at (begin + size), at (end), less);
+        },
+        2 * size);
+}
 } // namespace
 
 Region::Region (const Plan& plan, const core::NeighborQuery& query, const core::Execution& execution)
@@ -49,7 +72,7 @@ Region::load (const std::vector<Place>& places, const IsWanted& is_wanted, const
     graph_ = searched_ = nullptr;
     readLoaded ();
     search (is_wanted, depth);
-    proven = !loadAround (findDoubts (neighborhoods (), wanted_, depth));
+    proven = !loadAround (findDoubts (neighborhoods (), wanted_, depth, execution_));
   }
 }
 
@@ -165,13 +188,15 @@ Region::readLoaded ()
       keys.push_back ({RecordLayout::numberOf (&records_[at * step]), cell, static_cast<std::uint32_t> (at)});
   }
   // The lowest number comes first among equal distances.
-  std::sort (keys.begin (), keys.end (), [] (const Key& a, const Key& b) { return a.number < b.number; });
+  sortInParts (keys, execution_.silent (), [] (const Key& a, const Key& b) { return a.number < b.number; });
   std::vector<std::uint8_t> sorted (records_.size ());
   cell_of_.resize (keys.size ());
-  for (std::size_t i = 0; i < keys.size (); ++i) {
-    std::copy_n (&records_[keys[i].at * step], step, &sorted[i * step]);
-    cell_of_[i] = keys[i].cell;
-  }
+  core::parallelFor (keys.size (), execution_.silent (), [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::copy_n (&records_[keys[i].at * step], step, &sorted[i * step]);
+      cell_of_[i] = keys[i].cell;
+    }
+  });
   records_.swap (sorted);
 }
 
@@ -182,7 +207,18 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
   const RecordLayout& record = plan_.record;
   const core::Positions positions =
       readPositions (VectorView {record.positions (), records_.data (), size ()}, plan_.unit, execution_);
-  searched_ = core::NeighborGraph::build (positions, query_, execution_);
+  std::vector<bool> asked (size ());
+  std::vector<std::uint32_t> points;
+  for (const std::uint32_t i : core::finiteElements (positions, execution_))
+    if (is_wanted (cell_of_[i], RecordLayout::numberOf (&records_[i * record.bytes ()]))) {
+      asked[i] = true;
+      points.push_back (i);
+    }
+  // To ask for one point after the other takes a few times as long, but of few points most of what is loaded is not asked for.
+  const bool are_few = depth.rows == 0 && points.size () < size () / few_of;
+  searched_ =
+      are_few ? core::NeighborGraph::buildAround (positions, points, std::max (depth.separation, 0), query_, execution_)
+              : core::NeighborGraph::build (positions, query_, execution_);
   nodes_ = core::gather (positions, searched_->order (), execution_);
   if (record.normalBytes () > 0)
     normals_ = readNormals ({record.normals (), records_.data (), size ()}, searched_->order ());
@@ -191,11 +227,9 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
     graph_ = core::separateSheets (searched_, nodes_, core::SmoothingPreparation::separation (plan_.options, normals_),
                                    execution_);
   wanted_.clear ();
-  for (std::uint32_t node = 0; node < searched_->size (); ++node) {
-    const std::uint32_t i = searched_->order ()[node];
-    if (is_wanted (cell_of_[i], RecordLayout::numberOf (&records_[i * record.bytes ()])))
+  for (std::uint32_t node = 0; node < searched_->size (); ++node)
+    if (asked[searched_->order ()[node]])
       wanted_.push_back (node);
-  }
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -3,6 +3,8 @@
 
 #include "checksum.h"
 
+#include <pcl_normal_smoothing/core/select_nth.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,9 +48,9 @@ TileWriter::split (Range range, std::size_t most, std::vector<Range>& parts)
   box.sizes ().maxCoeff (&axis);
   const std::size_t middle = range.begin + (range.end - range.begin) / 2;
   // Points at one place may part: whatever touches one of them loads them all.
-  std::nth_element (at (range.begin), at (middle), at (range.end), [axis] (const Point& a, const Point& b) {
-    return a.place[axis] < b.place[axis] || (a.place[axis] == b.place[axis] && a.record < b.record);
-  });
+  Point* const points = points_.data ();
+  core::selectNth (points + range.begin, points + middle, points + range.end,
+                   [axis] (const Point& point) { return point.place[axis]; });
   split ({range.begin, middle}, most, parts);
   split ({middle, range.end}, most, parts);
 }

@@ -24,7 +24,9 @@ public:
   /** What the queries of one thread reuse. */
   struct Scratch
   {
-    std::vector<std::uint32_t> nodes;         // still to visit
+    std::vector<std::uint32_t> nodes;         // of a level that are near
+    std::vector<std::uint32_t> children;      // theirs
+    std::size_t candidate_count = 0;          // the arrays only grow
     std::vector<std::uint32_t> slots;         // of the candidates
     std::array<std::vector<float>, 3> base;   // likewise
     std::array<std::vector<float>, 3> offset; // likewise
@@ -61,10 +63,12 @@ public:
           Scratch& scratch) const;
 
 private:
+  static constexpr std::uint32_t max_leaf_size = 16;
+
   using Coordinates = std::array<float, 3>;
-  struct Box
+  struct Box // four numbers are handled as one; the last is 0
   {
-    Coordinates low, high;
+    Eigen::Array4f low, high;
     float slack = 0; // bound of the rounding of a coordinate in it
   };
   struct Range // of slots
@@ -91,11 +95,24 @@ private:
   splitNode (std::size_t node, BuildPoints& points);
 
   void
+  splitBranch (std::size_t node, BuildPoints& points);
+
+  void
   fillSlots (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution);
+
+  static Eigen::Array4f
+  quadOf (const Coordinates& at)
+  {
+    return {at[0], at[1], at[2], 0};
+  }
 
   /** Radius of a ball about \a center that holds \a k of the points of \a branch; infinity where there are fewer. */
   float
   ballRadius (const Coordinates& center, std::size_t branch, std::size_t k, Scratch& scratch) const;
+
+  /** The leaves that are not farther than \a reach from \a box: scratch.nodes. */
+  void
+  nearLeaves (const Box& box, float reach, Scratch& scratch) const;
 
   /** Makes the points of all leaves that are not farther than \a reach from \a box the candidates. */
   void
@@ -113,23 +130,22 @@ private:
   static float
   sqDistance (const Box& a, const Box& b)
   {
-    float sum = 0;
-    for (int d = 0; d < 3; ++d) {
-      const float gap = std::max (a.low[d] - b.high[d], b.low[d] - a.high[d]) - (a.slack + b.slack);
-      sum += gap > 0 ? gap * gap : 0;
-    }
-    return sum;
+    const Eigen::Array4f gaps = (a.low - b.high).max (b.low - a.high) - (a.slack + b.slack);
+    return gaps.max (Eigen::Array4f::Zero ()).square ().sum ();
   }
 
   /** With its slack. */
   Box
-  makeBox (const Coordinates& low, const Coordinates& high) const;
+  makeBox (const Eigen::Array4f& low, const Eigen::Array4f& high) const;
 
   void
   searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisitor& visit, Scratch& scratch) const;
 
   Box
   pointBox (const CandidateQuery& point) const;
+
+  Coordinates
+  slotCoordinates (std::size_t slot) const;
 
   CandidateQuery
   slotQuery (std::uint32_t slot) const;

@@ -32,7 +32,18 @@ public:
   static Ptr
   build (const Positions& cloud, const NeighborQuery& query, const Execution& execution);
 
-  /** As above, from the answers of any search. */
+  /** Searches the neighbours of some points only, and of what can be reached from them: for a sample of a cloud.
+    * \param[in] start finite points of the cloud, each once
+    * \param[in] hops along rows. The nodes are \a start, in that order, and what is reached by so many hops and one more; the rows
+    * of what only the last one reaches hold nothing but the node */
+  static Ptr
+  buildAround (const Positions& cloud,
+               const std::vector<std::uint32_t>& start,
+               int hops,
+               const NeighborQuery& query,
+               const Execution& execution);
+
+  /** As build, from the answers of any search. */
   static Ptr
   build (const Positions& cloud, const Search& search, const Execution& execution);
 
