@@ -37,12 +37,13 @@ echo 'install(TARGETS smooth_cloud)' >>"$workspace/src/consumer/CMakeLists.txt"
 cd "$workspace"
 export PATH=/usr/bin:$PATH # Debian's Python, which its colcon belongs to
 colcon build --executor sequential \
-  --cmake-args -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DBUILD_EXAMPLES=OFF -DBUILD_TOOLS=OFF
+  --cmake-args -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DBUILD_EXAMPLES=OFF
 set +u
 # shellcheck disable=SC1091
 . install/setup.bash
 set -u
 smooth_cloud
+pcl_normal_smoothing -h >/dev/null
 ldd "$(command -v smooth_cloud)" | grep -q "$workspace/install/pcl_normal_smoothing/"
 test -f install/pcl_normal_smoothing/share/pcl_normal_smoothing/package.xml
 echo "colcon builds pcl_normal_smoothing, and what depends on it."

@@ -1,12 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/positions.h>
 
+#include <sys/mman.h>
+
 #include <algorithm>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
+namespace
+{
+constexpr std::size_t large_page = std::size_t (2) << 20;
+
+bool
+isLarge (std::size_t bytes)
+{
+  return bytes >= 2 * large_page;
+}
+} // namespace
+
+void*
+allocateBytes (std::size_t bytes)
+{
+  if (!isLarge (bytes))
+    return ::operator new (bytes);
+  void* const data = ::operator new (bytes, std::align_val_t (large_page));
+#ifdef MADV_HUGEPAGE
+  madvise (data, bytes / large_page * large_page, MADV_HUGEPAGE); // only advice: the rest of a page is not worth one
+#endif
+  return data;
+}
+
+void
+freeBytes (void* data, std::size_t bytes)
+{
+  if (isLarge (bytes))
+    ::operator delete (data, std::align_val_t (large_page));
+  else
+    ::operator delete (data);
+}
+
 bool
 hasOffsets (const Positions& positions)
 {

@@ -13,6 +13,15 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
+/** Memory for numbers of all points: from some megabytes on in pages of two, where the system has them, of which it has to be asked
+  * for fewer, and the processor finds more at once. */
+void*
+allocateBytes (std::size_t bytes);
+
+/** \param[in] bytes as they were allocated */
+void
+freeBytes (void* data, std::size_t bytes);
+
 /** Allocates some bytes more: kernels read vectors of two or three floats four at a time. vector (n) holds no zeros. */
 template <typename T>
 struct PaddedAllocator
@@ -28,7 +37,7 @@ struct PaddedAllocator
   T*
   allocate (std::size_t size)
   {
-    return static_cast<T*> (::operator new (size * sizeof (T) + 2 * sizeof (float)));
+    return static_cast<T*> (allocateBytes (bytesFor (size)));
   }
 
   /** Leaves numbers undefined where no value is given: the threads that write them first get the pages to themselves. */
@@ -47,9 +56,15 @@ struct PaddedAllocator
   }
 
   void
-  deallocate (T* data, std::size_t)
+  deallocate (T* data, std::size_t size)
   {
-    ::operator delete (data);
+    freeBytes (data, bytesFor (size));
+  }
+
+  static std::size_t
+  bytesFor (std::size_t size)
+  {
+    return size * sizeof (T) + 2 * sizeof (float);
   }
 
   friend bool
