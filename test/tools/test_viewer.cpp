@@ -159,6 +159,7 @@ TEST_F (Viewer, KeysChangeTheParameters)
 {
   const pcl_normal_smoothing::tools::Display server (true);
   Display* display = XOpenDisplay (nullptr);
+  ASSERT_NE (display, nullptr);
   const int tool = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_viewer", path ("noisy.ply"), "-save",
                                path ("out.ply"), "-width", "600", "-height", "400"},
                               folder_);

@@ -60,6 +60,7 @@ Display::~Display ()
   if (server_ > 0) {
     kill (server_, SIGTERM);
     waitpid (server_, nullptr, 0);
+    unsetenv ("DISPLAY"); // there was none, and the number may soon be another server's
   }
 }
 
@@ -70,8 +71,9 @@ Display::startServer ()
   if (pipe (ends) != 0)
     throw core::Error ("no pipe can be made for a display: close some files");
   const std::string end = std::to_string (ends[1]);
-  const char* const words[] = {"Xvfb",     "-displayfd", end.c_str (), "-screen", "0",
-                               "64x64x24", "-nolisten",  "tcp",        nullptr};
+  // Without -noreset it begins anew whenever its last client leaves, and refuses others meanwhile.
+  const char* const words[] = {"Xvfb",     "-displayfd", end.c_str (), "-screen",  "0",
+                               "64x64x24", "-nolisten",  "tcp",        "-noreset", nullptr};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init (&actions);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
