@@ -1,44 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/positions.h>
 
+#if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
+#endif
 
 #include <algorithm>
+#include <memory>
+#include <new>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
-namespace
-{
-constexpr std::size_t large_page = std::size_t (2) << 20;
-
-bool
-isLarge (std::size_t bytes)
-{
-  return bytes >= 2 * large_page;
-}
-} // namespace
-
 void*
 allocateBytes (std::size_t bytes)
 {
-  if (!isLarge (bytes))
-    return ::operator new (bytes);
-  void* const data = ::operator new (bytes, std::align_val_t (large_page));
+  void* const data = ::operator new (bytes);
 #ifdef MADV_HUGEPAGE
-  madvise (data, bytes / large_page * large_page, MADV_HUGEPAGE); // only advice: the rest of a page is not worth one
+  constexpr std::size_t large_page = std::size_t (2) << 20;
+  void* first = data;
+  std::size_t space = bytes; // from the first page that is the array's alone
+  if (bytes >= 2 * large_page && std::align (large_page, large_page, first, space) != nullptr)
+    madvise (first, space / large_page * large_page, MADV_HUGEPAGE);
 #endif
   return data;
-}
-
-void
-freeBytes (void* data, std::size_t bytes)
-{
-  if (isLarge (bytes))
-    ::operator delete (data, std::align_val_t (large_page));
-  else
-    ::operator delete (data);
 }
 
 bool

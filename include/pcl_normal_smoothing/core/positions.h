@@ -13,14 +13,10 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Memory for numbers of all points: from some megabytes on in pages of two, where the system has them, of which it has to be asked
-  * for fewer, and the processor finds more at once. */
+/** operator new; from some megabytes on in pages of two, where the system has them, of which it has to be asked for fewer, and the
+  * processor finds more at once. */
 void*
 allocateBytes (std::size_t bytes);
-
-/** \param[in] bytes as they were allocated */
-void
-freeBytes (void* data, std::size_t bytes);
 
 /** Allocates some bytes more: kernels read vectors of two or three floats four at a time. vector (n) holds no zeros. */
 template <typename T>
@@ -37,7 +33,7 @@ struct PaddedAllocator
   T*
   allocate (std::size_t size)
   {
-    return static_cast<T*> (allocateBytes (bytesFor (size)));
+    return static_cast<T*> (allocateBytes (size * sizeof (T) + 2 * sizeof (float)));
   }
 
   /** Leaves numbers undefined where no value is given: the threads that write them first get the pages to themselves. */
@@ -56,15 +52,9 @@ struct PaddedAllocator
   }
 
   void
-  deallocate (T* data, std::size_t size)
+  deallocate (T* data, std::size_t)
   {
-    freeBytes (data, bytesFor (size));
-  }
-
-  static std::size_t
-  bytesFor (std::size_t size)
-  {
-    return size * sizeof (T) + 2 * sizeof (float);
+    ::operator delete (data);
   }
 
   friend bool
