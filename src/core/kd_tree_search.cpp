@@ -170,12 +170,13 @@ KdTree::gatherCandidates (const Box& box, float reach, Scratch& scratch) const
   const std::size_t room = (scratch.nodes.size () + 1) * max_leaf_size;
   if (scratch.slots.size () < room) {
     scratch.slots.resize (room);
-    for (int d = 0; d < 3; ++d) {
-      scratch.base[d].resize (room);
-      scratch.offset[d].resize (has_offset_ ? room : 0);
-    }
+    for (auto& base : scratch.base)
+      base.resize (room);
     scratch.selected.resize (room);
   }
+  for (auto& offset : scratch.offset) // none in other trees that this scratch may have served
+    if (has_offset_ && offset.size () < room)
+      offset.resize (room);
   scratch.sq_dists.resize (std::max (scratch.sq_dists.size (), room));
 
   scratch.candidate_count = 0;
