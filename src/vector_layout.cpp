@@ -114,7 +114,7 @@ readPositions (const VectorView& view, double unit, const core::Execution& execu
 }
 
 core::Vectors
-readNormals (const VectorView& view, const std::vector<std::uint32_t>& order, const core::Execution& execution)
+readNormals (const VectorView& view, const core::Elements& order, const core::Execution& execution)
 {
   core::Vectors normals (order.size ());
   core::parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
@@ -145,7 +145,7 @@ selectPoints (const pcl::Indices& indices, std::size_t size)
 void
 writeDisplacements (const core::Vectors& displacements,
                     double unit,
-                    const std::vector<std::uint32_t>& order,
+                    const core::Elements& order,
                     const std::vector<bool>& selected,
                     const VectorLayout& layout,
                     std::uint8_t* data,
@@ -167,7 +167,7 @@ writeDisplacements (const core::Vectors& displacements,
 
 void
 writeNormals (const core::Vectors& normals,
-              const std::vector<std::uint32_t>& order,
+              const core::Elements& order,
               const std::vector<bool>& selected,
               const VectorLayout& layout,
               std::uint8_t* data,

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 namespace pcl_normal_smoothing
 {
@@ -58,13 +59,36 @@ private:
   rlimit before_;
 };
 
+/** An OFF file without the letters that promise texture coordinates, colours and normals. CGAL 5.5 looks for them behind the
+  * end of a line that has fewer numbers; without the promise, it passes over what stands behind the coordinates. A binary file
+  * stays as it is, for its numbers have no other division. */
+std::string
+withoutAttributes (std::string off)
+{
+  constexpr const char* spaces = " \t\r\n\v\f";
+  std::size_t begin = off.find_first_not_of (spaces);
+  while (begin < off.size () && off[begin] == '#')
+    begin = off.find_first_not_of (spaces, off.find ('\n', begin));
+  const std::size_t after = off.find_first_not_of (spaces, off.find_first_of (spaces, begin));
+  if (after == std::string::npos || off.compare (after, 6, "BINARY") == 0)
+    return off;
+  for (const std::string promise : {"ST", "C", "N"})
+    if (off.compare (begin, promise.size (), promise) == 0)
+      off.erase (begin, promise.size ());
+  return off;
+}
+
 /** \return false where the file is no mesh */
 bool
-readSoup (const std::string& path, std::size_t file_size, std::vector<Point>& points, std::vector<Polygon>& polygons)
+readSoup (const std::string& path, const std::string& bytes, std::vector<Point>& points, std::vector<Polygon>& polygons)
 {
   // A face of a text file takes the most: some 8 bytes become a vector, which moves when the list grows.
-  const MemoryBound bound ((std::size_t (256) << 20) + 64 * file_size);
+  const MemoryBound bound ((std::size_t (256) << 20) + 64 * bytes.size ());
   try {
+    if (extensionOf (path) == ".off") {
+      std::istringstream off (withoutAttributes (bytes));
+      return CGAL::IO::read_OFF (off, points, polygons);
+    }
     return CGAL::IO::read_polygon_soup (path, points, polygons, CGAL::parameters::verbose (false));
   }
   catch (const std::exception&) { // std::bad_alloc, std::length_error, and what CGAL throws
@@ -110,7 +134,7 @@ loadMesh (const std::string& path)
       readPlyHeader (stream);
     std::vector<Point> points;
     std::vector<Polygon> polygons;
-    if (!readSoup (path, bytes.size (), points, polygons))
+    if (!readSoup (path, bytes, points, polygons))
       throw FormatError ("is no mesh, or is truncated or damaged");
     return fromSoup (points, polygons);
   }

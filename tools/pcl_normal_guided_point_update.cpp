@@ -39,7 +39,7 @@ class NormalGuidedPointUpdateTool : public tools::Tool
     const core::Execution execution (search_.threads, tools::progressOnTerminal ());
     tools::CloudGraph cloud = tools::searchNeighbors (file, query, execution.part (0, 0.7));
     std::uint8_t* data = file.cloud->data.data ();
-    const std::vector<std::uint32_t>& order = cloud.graph->order ();
+    const core::Elements& order = cloud.graph->order ();
     const core::Vectors start = core::startOf (cloud.nodes);
     core::updatePoints (cloud.graph, readNormals ({normals, data, file.size ()}, order),
                         settings_.options ().update.inUnit (cloud.nodes.unit), {}, execution.part (0.7, 1),

@@ -177,7 +177,7 @@ readPositions (const VectorView& positions, double unit, const core::Execution& 
 /** The normals of the points \a order names, at length 1; NaN where one is not finite or zero. */
 core::Vectors
 readNormals (const VectorView& normals,
-             const std::vector<std::uint32_t>& order,
+             const core::Elements& order,
              const core::Execution& execution = core::Execution (1));
 
 /** Which of \a size points \a indices names.
@@ -192,7 +192,7 @@ selectPoints (const pcl::Indices& indices, std::size_t size);
 void
 writeDisplacements (const core::Vectors& displacements,
                     double unit,
-                    const std::vector<std::uint32_t>& order,
+                    const core::Elements& order,
                     const std::vector<bool>& selected,
                     const VectorLayout& layout,
                     std::uint8_t* data,
@@ -201,7 +201,7 @@ writeDisplacements (const core::Vectors& displacements,
 /** Writes the normals of the nodes to the selected points; where a node has none (NaN) the point keeps its own. */
 void
 writeNormals (const core::Vectors& normals,
-              const std::vector<std::uint32_t>& order,
+              const core::Elements& order,
               const std::vector<bool>& selected,
               const VectorLayout& layout,
               std::uint8_t* data,

@@ -10,7 +10,7 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-KdTree::KdTree (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution)
+KdTree::KdTree (const Positions& positions, const Elements& rank, const Execution& execution)
 {
   while (positions.size () > max_leaf_size * leaf_count_)
     leaf_count_ *= 2;
@@ -29,7 +29,7 @@ KdTree::KdTree (const Positions& positions, const std::vector<std::uint32_t>& ra
     for (std::size_t slot = begin; slot < end; ++slot)
       order_[slot] = points[slot].element;
   });
-  points = {}; // keep the peak of memory low
+  BuildPoints ().swap (points); // keep the peak of memory low
   fillSlots (positions, rank, execution);
 }
 
@@ -133,7 +133,7 @@ KdTree::splitNode (std::size_t node, BuildPoints& points)
 }
 
 void
-KdTree::fillSlots (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution)
+KdTree::fillSlots (const Positions& positions, const Elements& rank, const Execution& execution)
 {
   rank_.resize (order_.size ());
   for (int d = 0; d < 3; ++d) {

@@ -14,7 +14,7 @@ namespace pcl_normal_smoothing
 namespace core
 {
 Positions
-gather (const Positions& positions, const std::vector<std::uint32_t>& order, const Execution& execution)
+gather (const Positions& positions, const Elements& order, const Execution& execution)
 {
   Positions result {Vectors (order.size ()), Vectors (order.size ()), positions.unit};
   parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
@@ -26,13 +26,13 @@ gather (const Positions& positions, const std::vector<std::uint32_t>& order, con
   return result;
 }
 
-std::vector<std::uint32_t>
+Elements
 finiteElements (const Positions& positions, const Execution& execution)
 {
   const auto isFinite = [&] (std::size_t i) {
     return positions.base[i].allFinite () && positions.offset[i].allFinite ();
   };
-  std::vector<std::uint32_t> finite (positions.size ());
+  Elements finite (positions.size ());
   std::atomic<bool> all_finite {true};
   parallelFor (finite.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -113,19 +113,19 @@ NeighborGraph::build (const Positions& cloud, const NeighborQuery& query, const 
 {
   auto graph = std::make_shared<NeighborGraph> ();
   graph->cloud_size_ = cloud.size ();
-  graph->order_ = finiteElements (cloud, execution.silent ());
-  if (graph->order_.empty ())
+  const Elements finite = finiteElements (cloud, execution.silent ());
+  if (finite.empty ())
     return graph;
-  const KdTree tree (gather (cloud, graph->order_, execution.silent ()), graph->order_, execution);
-  std::vector<std::uint32_t> order (graph->size ());
-  parallelFor (order.size (), execution.silent (), [&] (std::size_t begin, std::size_t end) {
+  const KdTree tree (gather (cloud, finite, execution.silent ()), finite, execution);
+  const auto order = std::make_shared<Elements> (finite.size ());
+  parallelFor (order->size (), execution.silent (), [&] (std::size_t begin, std::size_t end) {
     for (std::size_t slot = begin; slot < end; ++slot)
-      order[slot] = graph->order_[tree.order ()[slot]];
+      (*order)[slot] = finite[tree.order ()[slot]];
   });
-  graph->order_ = std::move (order);
+  graph->order_ = order;
 
   Rows rows (*graph, rowLength (query, graph->size ()));
-  tree.searchAll (query, execution, [&] (std::uint32_t slot, const auto& row) { rows.put (slot, row, {}); });
+  tree.searchAll (query, execution, [&] (std::uint32_t slot, const auto& row) { rows.put (slot, row); });
   rows.finish ();
   return graph;
 }
@@ -136,12 +136,13 @@ NeighborGraph::rebuild (const Positions& nodes, const NeighborQuery& query, cons
   auto graph = std::make_shared<NeighborGraph> ();
   graph->cloud_size_ = cloud_size_;
   graph->order_ = order_;
-  if (order_.empty ())
+  if (order_->empty ())
     return graph;
-  const KdTree tree (nodes, order_, execution);
+  const KdTree tree (nodes, *order_, execution);
   Rows rows (*graph, rowLength (query, graph->size ()));
-  tree.searchAll (query, execution,
-                  [&] (std::uint32_t slot, const auto& row) { rows.put (tree.order ()[slot], row, tree.order ()); });
+  tree.searchAll (query, execution, [&] (std::uint32_t slot, const auto& row) {
+    rows.put (tree.order ()[slot], row, tree.order ().data ());
+  });
   rows.finish ();
   return graph;
 }
@@ -153,7 +154,7 @@ namespace
 void
 searchRows (const KdTree& tree,
             const Positions& cloud,
-            const std::vector<std::uint32_t>& points,
+            const Elements& points,
             const NeighborQuery& query,
             const Execution& execution,
             std::vector<std::vector<Neighbor>>& rows)
@@ -172,7 +173,7 @@ searchRows (const KdTree& tree,
 
 NeighborGraph::Ptr
 NeighborGraph::buildAround (const Positions& cloud,
-                            const std::vector<std::uint32_t>& start,
+                            const Elements& start,
                             int hops,
                             const NeighborQuery& query,
                             const Execution& execution)
@@ -180,10 +181,11 @@ NeighborGraph::buildAround (const Positions& cloud,
   constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
   auto graph = std::make_shared<NeighborGraph> ();
   graph->cloud_size_ = cloud.size ();
-  graph->order_ = start;
+  const auto nodes = std::make_shared<Elements> (start);
+  graph->order_ = nodes;
   if (start.empty ())
     return graph;
-  const std::vector<std::uint32_t> finite = finiteElements (cloud, execution.silent ());
+  const Elements finite = finiteElements (cloud, execution.silent ());
   const KdTree tree (gather (cloud, finite, execution.silent ()), finite, execution.silent ());
   std::vector<std::uint32_t> node_of (cloud.size (), no_node); // of a point
   for (std::uint32_t node = 0; node < start.size (); ++node)
@@ -192,17 +194,17 @@ NeighborGraph::buildAround (const Positions& cloud,
   std::vector<std::vector<Neighbor>> rows;
   for (int hop = 0; hop <= hops; ++hop) {
     const std::size_t reached = rows.size ();
-    searchRows (tree, cloud, graph->order_, query, execution.part (hop, hop + 1, hops + 1), rows);
+    searchRows (tree, cloud, *nodes, query, execution.part (hop, hop + 1, hops + 1), rows);
     for (std::size_t node = reached; node < rows.size (); ++node)
       for (const Neighbor& neighbor : rows[node])
         if (node_of[neighbor.slot] == no_node) {
-          node_of[neighbor.slot] = static_cast<std::uint32_t> (graph->order_.size ());
-          graph->order_.push_back (neighbor.slot);
+          node_of[neighbor.slot] = static_cast<std::uint32_t> (nodes->size ());
+          nodes->push_back (neighbor.slot);
         }
   }
   Rows of_graph (*graph, 0);
   for (std::uint32_t node = 0; node < rows.size (); ++node)
-    of_graph.put (node, rows[node], node_of);
+    of_graph.put (node, rows[node], node_of.data ());
   of_graph.finish ();
   return graph;
 }
@@ -224,24 +226,24 @@ NeighborGraph::rebuild (const Positions& nodes, const Search& search, const Exec
   constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
   std::vector<std::uint32_t> node_of (cloud_size_, no_node);
   for (std::uint32_t node = 0; node < size (); ++node)
-    node_of[order_[node]] = node;
+    node_of[order ()[node]] = node;
 
   Rows rows (*graph, 0);
   parallelFor (size (), execution, [&] (std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> found;
     std::vector<Neighbor> row;
     for (auto node = static_cast<std::uint32_t> (begin); node < end; ++node) {
-      search (order_[node], found);
+      search (order ()[node], found);
       row.clear ();
       for (const std::uint32_t index : found) {
         if (index >= cloud_size_ || node_of[index] == no_node)
           throw Error ("the search object returned point " + std::to_string (index) +
                        ", which is not a finite point of the input cloud: let it search the same cloud");
-        if (index != order_[node])
+        if (index != order ()[node])
           row.push_back ({squaredLength (nodes.difference (node, node_of[index])), index, node_of[index]});
       }
       std::sort (row.begin (), row.end ());
-      rows.put (node, row, {});
+      rows.put (node, row);
     }
   });
   rows.finish ();

@@ -25,12 +25,12 @@ public:
       setLengths (std::vector<std::size_t> (graph_.blockCount (), length));
   }
 
-  /** \param[in] node_of the node in every slot that \a row names; empty = they are the nodes */
+  /** \param[in] node_of the node in every slot that \a row names; null = they are the nodes */
   void
-  put (std::uint32_t node, const std::vector<Neighbor>& row, const std::vector<std::uint32_t>& node_of)
+  put (std::uint32_t node, const std::vector<Neighbor>& row, const std::uint32_t* node_of = nullptr)
   {
     const auto nodeOf = [&] (const Neighbor& neighbor) {
-      return node_of.empty () ? neighbor.slot : node_of[neighbor.slot];
+      return node_of == nullptr ? neighbor.slot : node_of[neighbor.slot];
     };
     if (length_ == 0)
       std::transform (row.begin (), row.end (), std::back_inserter (rows_[node]), nodeOf);

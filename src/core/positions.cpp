@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/positions.h>
 
-#if __has_include(<sys/mman.h>)
-#include <sys/mman.h>
-#endif
-
 #include <algorithm>
-#include <memory>
-#include <new>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
-void*
-allocateBytes (std::size_t bytes)
-{
-  void* const data = ::operator new (bytes);
-#ifdef MADV_HUGEPAGE
-  constexpr std::size_t large_page = std::size_t (2) << 20;
-  void* first = data;
-  std::size_t space = bytes; // from the first page that is the array's alone
-  if (bytes >= 2 * large_page && std::align (large_page, large_page, first, space) != nullptr)
-    madvise (first, space / large_page * large_page, MADV_HUGEPAGE);
-#endif
-  return data;
-}
-
 bool
 hasOffsets (const Positions& positions)
 {

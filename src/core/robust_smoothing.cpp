@@ -237,7 +237,7 @@ private:
   Numbers moved_; // along the normals since the first round, from where the risk is measured
   Numbers risks_; // two a node
   Numbers averaged_;
-  std::vector<std::uint8_t, PaddedAllocator<std::uint8_t>> weights_;
+  PaddedVector<std::uint8_t> weights_;
 };
 } // namespace
 

@@ -79,7 +79,7 @@ querySurfaces (const Positions& surface,
                const Execution& execution)
 {
   std::vector<LocalSurface> result (queries.size (), LocalSurface::invalid ());
-  const std::vector<std::uint32_t> finite = finiteElements (surface);
+  const Elements finite = finiteElements (surface);
   if (finite.empty ())
     return result;
   const Positions points = gather (surface, finite);

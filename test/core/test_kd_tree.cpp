@@ -19,7 +19,7 @@ class KdTreeTest : public testing::TestWithParam<NamedCloud>
 protected:
   /** The rows of all points, the points themselves first. */
   static std::vector<IndexRow>
-  searchAll (const Positions& cloud, const NeighborQuery& query, const std::vector<std::uint32_t>& rank = {})
+  searchAll (const Positions& cloud, const NeighborQuery& query, const Elements& rank = {})
   {
     const Execution execution (2);
     const KdTree tree (cloud, rank, execution);
@@ -109,7 +109,8 @@ TEST_P (KdTreeTest, AnswersQueriesBesideThePoints)
 TEST_P (KdTreeTest, TiesGoToTheLowestRank)
 {
   const Positions& cloud = GetParam ().positions;
-  const auto rank = permutation (cloud.size (), 17);
+  const auto numbers = permutation (cloud.size (), 17);
+  const Elements rank (numbers.begin (), numbers.end ());
   // The cloud in the order of its ranks, where rank and index are one.
   std::vector<std::uint32_t> by_rank (cloud.size ());
   for (std::uint32_t i = 0; i < cloud.size (); ++i)
@@ -131,7 +132,7 @@ TEST_P (KdTreeTest, TiesGoToTheLowestRank)
 TEST_P (KdTreeTest, SlotsAreAPermutation)
 {
   const KdTree tree (GetParam ().positions, {}, Execution (2));
-  IndexRow order = tree.order ();
+  IndexRow order (tree.order ().begin (), tree.order ().end ());
   std::sort (order.begin (), order.end ());
   for (std::uint32_t i = 0; i < order.size (); ++i)
     ASSERT_EQ (order[i], i);

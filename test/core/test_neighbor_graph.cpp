@@ -85,7 +85,7 @@ TEST_P (NeighborGraphTest, AroundSomePointsTheRowsWithinTheHopsAreThoseOfAll)
   const Positions& cloud = GetParam ().positions;
   const auto size = static_cast<std::uint32_t> (cloud.size ());
   const std::set<std::uint32_t> some = {7 % size, 3 % size, size - 1};
-  const std::vector<std::uint32_t> start (some.rbegin (), some.rend ());
+  const Elements start (some.rbegin (), some.rend ());
   for (const NeighborQuery& query : {NeighborQuery {7, no_radius}, NeighborQuery {0, 0.8f}, NeighborQuery {9, 1.2f}}) {
     const auto graph = NeighborGraph::buildAround (cloud, start, 2, query, Execution (2));
     std::set<std::uint32_t> reached (start.begin (), start.end ()), all = reached;

@@ -216,7 +216,8 @@ TEST_P (RobustSmoothingTest, ThreadsAndOrderDoNotMatter)
   const Vectors expected = smoothed (asPositions (noisy), 32, options, {}, 1).displacements;
   EXPECT_EQ (smoothed (asPositions (noisy), 32, options, {}, 4).displacements, expected);
 
-  const auto order = permutation (noisy.size (), 13);
+  const auto numbers = permutation (noisy.size (), 13);
+  const Elements order (numbers.begin (), numbers.end ());
   const Vectors shuffled = smoothed (gather (asPositions (noisy), order), 32, options).displacements;
   for (std::size_t i = 0; i < order.size (); ++i)
     ASSERT_EQ (shuffled[i], expected[order[i]]) << i;

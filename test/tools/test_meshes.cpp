@@ -90,6 +90,39 @@ TEST_F (Meshes, OrderAndPolygonsOfEveryFormat)
   EXPECT_EQ (tools::loadMesh (path ("a.ply")).triangles, off.triangles);
 }
 
+TEST_F (Meshes, AttributesOfOffArePassedOver)
+{
+  const std::string corners[] = {"0 0 0", "1 0 0", "0 1 0"};
+  for (const char* keyword : {"COFF", "# one\n # two\n NOFF", "STOFF", "CNOFF", "STCNOFF", "OFF"})
+    for (const char* attributes : {"", " 0", " 255 0 0 255", " 0.5 1e9 0", " 1 2 3 4 5 6 7 8 9"}) {
+      std::string text = std::string (keyword) + "\n3 1 0 0\n";
+      for (const std::string& corner : corners)
+        text += corner + attributes + "\n";
+      writeText (path ("a.off"), text + "3 0 1 2" + attributes + "\n");
+      const tools::Mesh mesh = tools::loadMesh (path ("a.off"));
+      ASSERT_EQ (mesh.triangles.size (), 1u) << text;
+      EXPECT_EQ (mesh.vertices[1], Eigen::Vector3d (1, 0, 0)) << text;
+      EXPECT_EQ (mesh.vertices[2], Eigen::Vector3d (0, 1, 0)) << text;
+    }
+}
+
+TEST_F (Meshes, BinaryOff)
+{
+  std::string bytes = "OFF BINARY\n";
+  const auto append = [&bytes] (auto number) {
+    std::reverse_iterator end (reinterpret_cast<const char*> (&number)), begin (end.base () + sizeof number);
+    bytes.append (begin, end); // most significant byte first
+  };
+  for (const int count : {3, 1, 0})
+    append (count);
+  for (const float coordinate : {0, 0, 0, 1, 0, 0, 0, 1, 0})
+    append (coordinate);
+  for (const int corner : {3, 0, 1, 2, 0})
+    append (corner);
+  writeText (path ("a.off"), bytes);
+  EXPECT_EQ (tools::loadMesh (path ("a.off")).vertices[2], Eigen::Vector3d (0, 1, 0));
+}
+
 TEST_F (Meshes, ThatLie)
 {
 #ifdef __SANITIZE_ADDRESS__
@@ -100,7 +133,8 @@ TEST_F (Meshes, ThatLie)
   expectUnreadable ("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
   expectUnreadable ("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
   expectUnreadable ("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n");
-  expectUnreadable ("a.off", "");
+  for (const char* nothing : {"", " ", "#", "# a\n", "COFF", "COFF ", "COFF\n3 1 0\n0 0 0 255  0"})
+    expectUnreadable ("a.off", nothing);
   expectUnreadable ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   expectUnreadable ("a.obj", "hello\n");
   expectUnreadable ("a.stl", std::string (80, ' ') + "\xff\xff\xff\x7f" + std::string (50, ' '));

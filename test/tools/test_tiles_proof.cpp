@@ -75,7 +75,7 @@ searchPart (const Cubes& cubes, const core::NeighborQuery& query, const std::vec
     wanted.push_back (static_cast<std::uint32_t> (wanted.size ()));
   }
   const core::Execution execution (2);
-  const core::Positions part = core::gather (cubes.cloud, numbers);
+  const core::Positions part = core::gather (cubes.cloud, core::Elements (numbers.begin (), numbers.end ()));
   const auto graph = core::NeighborGraph::build (part, query, execution);
   const core::Positions nodes = core::gather (part, graph->order ());
   const auto expected = rowsOf (*core::NeighborGraph::build (cubes.cloud, query, execution), all, all.size ());

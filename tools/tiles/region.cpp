@@ -208,7 +208,7 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
   const core::Positions positions =
       readPositions (VectorView {record.positions (), records_.data (), size ()}, plan_.unit, execution_);
   std::vector<bool> asked (size ());
-  std::vector<std::uint32_t> points;
+  core::Elements points;
   for (const std::uint32_t i : core::finiteElements (positions, execution_))
     if (is_wanted (cell_of_[i], RecordLayout::numberOf (&records_[i * record.bytes ()]))) {
       asked[i] = true;

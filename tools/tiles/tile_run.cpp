@@ -61,7 +61,7 @@ private:
   write ()
   {
     std::vector<std::uint8_t>& records = region_.records ();
-    const std::vector<std::uint32_t>& order = region_.graph ()->order ();
+    const core::Elements& order = region_.graph ()->order ();
     writeDisplacements (displacements_, plan_.unit, order, selected_, plan_.record.positions (), records.data ());
     std::vector<std::uint32_t> node_of (region_.size ());
     for (std::uint32_t node = 0; node < order.size (); ++node)

@@ -41,10 +41,10 @@ public:
 
   /** \param[in] positions at least one point, all finite
     * \param[in] rank what decides ties, one a point; empty = the point's own number */
-  KdTree (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution);
+  KdTree (const Positions& positions, const Elements& rank, const Execution& execution);
 
   /** The point's number in every slot. Slots are numbered along the leaves, so they follow space. */
-  const std::vector<std::uint32_t>&
+  const Elements&
   order () const
   {
     return order_;
@@ -80,7 +80,7 @@ private:
     Coordinates at;
     std::uint32_t element;
   };
-  using BuildPoints = std::vector<BuildPoint, PaddedAllocator<BuildPoint>>;
+  using BuildPoints = PaddedVector<BuildPoint>;
 
   void
   chooseOrigin (const Positions& positions);
@@ -98,7 +98,7 @@ private:
   splitBranch (std::size_t node, BuildPoints& points);
 
   void
-  fillSlots (const Positions& positions, const std::vector<std::uint32_t>& rank, const Execution& execution);
+  fillSlots (const Positions& positions, const Elements& rank, const Execution& execution);
 
   static Eigen::Array4f
   quadOf (const Coordinates& at)
@@ -150,12 +150,12 @@ private:
   CandidateQuery
   slotQuery (std::uint32_t slot) const;
 
-  std::size_t leaf_count_ = 1;       // a power of two; the leaves are the last leaf_count_ nodes
-  std::vector<Range> ranges_;        // of the nodes; the children of node i are 2i + 1 and 2i + 2
-  std::vector<Box> boxes_;           // of the nodes, in the tree's coordinates
-  std::vector<std::uint32_t> order_; // slot -> element
-  std::vector<std::uint32_t> rank_;  // slot -> rank
-  std::array<Numbers, 3> base_;      // slot -> x, y, z
+  std::size_t leaf_count_ = 1;  // a power of two; the leaves are the last leaf_count_ nodes
+  PaddedVector<Range> ranges_;  // of the nodes; the children of node i are 2i + 1 and 2i + 2
+  PaddedVector<Box> boxes_;     // of the nodes, in the tree's coordinates
+  Elements order_;              // slot -> element
+  Elements rank_;               // slot -> rank
+  std::array<Numbers, 3> base_; // slot -> x, y, z
   std::array<Numbers, 3> offset_;
   bool has_offset_ = false;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero (); // of the tree's coordinates, which decide only where to look

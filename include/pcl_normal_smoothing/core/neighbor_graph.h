@@ -38,7 +38,7 @@ public:
     * of what only the last one reaches hold nothing but the node */
   static Ptr
   buildAround (const Positions& cloud,
-               const std::vector<std::uint32_t>& start,
+               const Elements& start,
                int hops,
                const NeighborQuery& query,
                const Execution& execution);
@@ -67,7 +67,7 @@ public:
   std::size_t
   size () const
   {
-    return order_.size ();
+    return order_->size ();
   }
 
   /** The neighbourhood of a node: numbers of nodes. */
@@ -111,10 +111,10 @@ public:
   minRowLength () const;
 
   /** Index in the cloud of every node. */
-  const std::vector<std::uint32_t>&
+  const Elements&
   order () const
   {
-    return order_;
+    return *order_;
   }
 
   /** Number of points of the cloud, those that are not finite included. */
@@ -127,9 +127,9 @@ public:
 private:
   class Rows;
 
-  using Neighbors = std::vector<std::uint32_t, PaddedAllocator<std::uint32_t>>;
+  using Neighbors = PaddedVector<std::uint32_t>;
 
-  std::vector<std::uint32_t> order_;
+  std::shared_ptr<const Elements> order_ = std::make_shared<const Elements> (); // shared by graphs of the same nodes
   std::vector<std::shared_ptr<Neighbors>> neighbors_; // kept alive: those of all blocks, then changed ones
   std::vector<const std::uint32_t*> block_rows_;
   std::vector<std::size_t> block_begin_; // blockCount () + 1
@@ -138,12 +138,10 @@ private:
 
 /** The elements of \a positions that \a order names, in that order. */
 Positions
-gather (const Positions& positions,
-        const std::vector<std::uint32_t>& order,
-        const Execution& execution = Execution (1));
+gather (const Positions& positions, const Elements& order, const Execution& execution = Execution (1));
 
 /** Numbers of the positions whose three coordinates are finite. */
-std::vector<std::uint32_t>
+Elements
 finiteElements (const Positions& positions, const Execution& execution = Execution (1));
 } // namespace core
 } // namespace pcl_normal_smoothing

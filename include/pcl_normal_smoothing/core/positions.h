@@ -1,77 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/padded_allocator.h>
+
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <cstdint>
-#include <new>
-#include <utility>
 #include <vector>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** operator new; from some megabytes on in pages of two, where the system has them, of which it has to be asked for fewer, and the
-  * processor finds more at once. */
-void*
-allocateBytes (std::size_t bytes);
-
-/** Allocates some bytes more: kernels read vectors of two or three floats four at a time. vector (n) holds no zeros. */
-template <typename T>
-struct PaddedAllocator
-{
-  using value_type = T;
-
-  PaddedAllocator () = default;
-
-  template <typename U>
-  PaddedAllocator (const PaddedAllocator<U>&)
-  {}
-
-  T*
-  allocate (std::size_t size)
-  {
-    return static_cast<T*> (allocateBytes (size * sizeof (T) + 2 * sizeof (float)));
-  }
-
-  /** Leaves numbers undefined where no value is given: the threads that write them first get the pages to themselves. */
-  template <typename U>
-  void
-  construct (U* place)
-  {
-    ::new (static_cast<void*> (place)) U;
-  }
-
-  template <typename U, typename... Values>
-  void
-  construct (U* place, Values&&... values)
-  {
-    ::new (static_cast<void*> (place)) U (std::forward<Values> (values)...);
-  }
-
-  void
-  deallocate (T* data, std::size_t)
-  {
-    ::operator delete (data);
-  }
-
-  friend bool
-  operator== (const PaddedAllocator&, const PaddedAllocator&)
-  {
-    return true;
-  }
-
-  friend bool
-  operator!= (const PaddedAllocator&, const PaddedAllocator&)
-  {
-    return false;
-  }
-};
-
-using Vectors = std::vector<Eigen::Vector3f, PaddedAllocator<Eigen::Vector3f>>;
-using Numbers = std::vector<float, PaddedAllocator<float>>;
+using Vectors = PaddedVector<Eigen::Vector3f>;
+using Numbers = PaddedVector<float>;
+/** Which points of a cloud, by their numbers. */
+using Elements = PaddedVector<std::uint32_t>;
 
 /** Summed as FLANN and the kd-tree do: Eigen's squaredNorm rounds otherwise, and near ties would stand in another order. */
 inline float

@@ -109,7 +109,7 @@ SurfaceNormalEstimation<PointInT, PointOutT>::estimateByQueries (const core::Sur
   const core::Positions surface = readPositions (positionsOf (*this->surface_));
   checkPointCount (this->feature_name_, core::finiteElements (surface).size (), query.k);
   const core::Positions cloud = readPositions (positionsOf (*this->input_), surface.unit);
-  const std::vector<std::uint32_t> queries (this->indices_->begin (), this->indices_->end ());
+  const core::Elements queries (this->indices_->begin (), this->indices_->end ());
   if (!this->tree_)
     return core::querySurfaces (surface, gather (cloud, queries), query.inUnit (surface.unit), estimator, execution ());
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** Memory for an array. From some megabytes on it is the system's own, not the heap's: in pages of two megabytes where there
+  * are such, of which it has to be asked for fewer, and the processor finds more at once; and nothing of it stays behind.
+  * \throw std::bad_alloc where there is none */
+void*
+allocateBytes (std::size_t bytes);
+
+/** \param[in] bytes as allocateBytes was asked for */
+void
+freeBytes (void* data, std::size_t bytes);
+
+/** Allocates some bytes more: kernels read vectors of two or three floats four at a time. vector (n) holds no zeros. */
+template <typename T>
+struct PaddedAllocator
+{
+  using value_type = T;
+
+  PaddedAllocator () = default;
+
+  template <typename U>
+  PaddedAllocator (const PaddedAllocator<U>&)
+  {}
+
+  T*
+  allocate (std::size_t size)
+  {
+    return static_cast<T*> (allocateBytes (bytes (size)));
+  }
+
+  /** Leaves numbers undefined where no value is given: the threads that write them first get the pages to themselves. */
+  template <typename U>
+  void
+  construct (U* place)
+  {
+    ::new (static_cast<void*> (place)) U;
+  }
+
+  template <typename U, typename... Values>
+  void
+  construct (U* place, Values&&... values)
+  {
+    ::new (static_cast<void*> (place)) U (std::forward<Values> (values)...);
+  }
+
+  void
+  deallocate (T* data, std::size_t size)
+  {
+    freeBytes (data, bytes (size));
+  }
+
+  friend bool
+  operator== (const PaddedAllocator&, const PaddedAllocator&)
+  {
+    return true;
+  }
+
+  friend bool
+  operator!= (const PaddedAllocator&, const PaddedAllocator&)
+  {
+    return false;
+  }
+
+private:
+  static std::size_t
+  bytes (std::size_t size)
+  {
+    return size * sizeof (T) + 2 * sizeof (float);
+  }
+};
+
+template <typename T>
+using PaddedVector = std::vector<T, PaddedAllocator<T>>;
+} // namespace core
+} // namespace pcl_normal_smoothing
