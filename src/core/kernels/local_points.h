@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "lane_vectors.h"
 #include "quadric.h"
 
 #include <pcl_normal_smoothing/core/kernels.h>

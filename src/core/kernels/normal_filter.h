@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lanes.h"
+#include "lane_vectors.h"
 
 #include <pcl_normal_smoothing/core/kernels.h>
 
@@ -29,16 +29,20 @@ distanceFactors (const NumberOfNodes& factors, const BlockRows& rows, int first)
   store1 (factors.numbers, own, sum > 0 ? 1 / (2 * (sigma_c * sigma_c)) : splat (0));
 }
 
-/** n_i.s n_j; turns n_j to s n_j, the side of n_i. */
+/** n_i.s n_j of unit normals, s the sign that turns n_j to the side of n_i where normals are not oriented. NaN where one is. */
 LANES_INLINE Lanes
-turn (Lanes3& normal, Lanes3 own, bool oriented)
+similarity (Lanes cosine, bool oriented)
 {
-  const Lanes cosine = dot (own, normal);
+  return oriented ? cosine : absolute (cosine);
+}
+
+/** \a number times that s. */
+LANES_INLINE Lanes
+turned (Lanes number, Lanes cosine, bool oriented)
+{
   if (oriented)
-    return cosine;
-  const Lanes sign = cosine > 0 ? splat (1) : splat (-1); // NaN stays NaN in both
-  normal = sign * normal;
-  return sign * cosine;
+    return number;
+  return cosine > 0 ? number : -number;
 }
 
 /** T of eq. 7 for the neighbourhoods of the lanes. */
@@ -48,8 +52,8 @@ mixedThreshold (const NormalFilterStep& step, const BlockRows& rows, const std::
   Lanes sum = {}, count = splat (1);
   for (std::size_t j = 1; j < rows.length; ++j) {
     const std::uint32_t* neighbor = own + 16 * j;
-    Lanes3 normal = load3 (step.nodes.normals, neighbor);
-    const Lanes x = 1 - turn (normal, own_normal, step.oriented);
+    const Lanes cosine = dot (own_normal, load3 (step.nodes.normals, neighbor));
+    const Lanes x = 1 - similarity (cosine, step.oriented);
     const Mask other = isOther (neighbor, own);
     sum += (other & (x == x)) ? x * x : splat (0);
     count += other ? splat (1) : splat (0);
@@ -57,39 +61,53 @@ mixedThreshold (const NormalFilterStep& step, const BlockRows& rows, const std::
   return step.rms ? squareRoot (sum / count) : squareRoot (sum) / count;
 }
 
-/** One iteration of eq. 2 with the weight of eq. 3 (0), eqs. 4 and 5 (1), or eqs. 6 and 7 (2). */
-template <int weight_kind>
+/** What the weights of a row share. */
+struct FilterFactors
+{
+  Lanes distance;        // 1 / (2 sigma_c^2)
+  Lanes normal;          // 1 / sigma_s^2: |n_i - s n_j|^2 of unit normals is twice 1 - n_i.s n_j
+  Lanes mixed_threshold; // T
+};
+
+/** The weight of eq. 3 (kind 0), eqs. 4 and 5 (1), or eqs. 6 and 7 (2). */
+template <int kind>
+LANES_INLINE Lanes
+filterWeight (const FilterFactors& factors, float threshold, Lanes3 difference, Lanes likeness)
+{
+  if (kind == 0) {
+    const Lanes above = maximum (likeness - threshold, splat (0));
+    return above * above;
+  }
+  const Lanes distance_term = dot (difference, difference) * factors.distance, x = 1 - likeness;
+  if (kind == 1) // the two Gaussians in one exponential
+    return expOfMinus (distance_term + maximum (x, splat (0)) * factors.normal);
+  const Lanes below = maximum (factors.mixed_threshold - x, splat (0));
+  return expOfMinus (distance_term) * (below * below);
+}
+
+/** One iteration of eq. 2. */
+template <int kind>
 LANES_INLINE void
 filterNormals (const NormalFilterStep& step, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
   const Lanes3 own_normal = load3 (step.nodes.normals, own);
-  const Lanes distance_factor = load1 (step.distance_factor, own);
-  const Lanes mixed_threshold = weight_kind == 2 ? mixedThreshold (step, rows, own, own_normal) : Lanes {};
+  const FilterFactors factors {load1 (step.distance_factor, own), splat (2 * step.normal_factor),
+                               kind == 2 ? mixedThreshold (step, rows, own, own_normal) : Lanes {}};
   Lanes3 sum = {};
   for (std::size_t j = 0; j < rows.length; ++j) {
     const std::uint32_t* neighbor = own + 16 * j;
-    Lanes3 normal = load3 (step.nodes.normals, neighbor);
-    const Lanes cosine = turn (normal, own_normal, step.oriented);
-    Lanes weight;
-    if (weight_kind == 0) {
-      const Lanes above = cosine - step.threshold;
-      weight = above > 0 ? above * above : splat (0); // eq. 3
-    }
-    else {
-      const Lanes3 difference = points.difference (neighbor);
-      const Lanes distance_term = dot (difference, difference) * distance_factor;
-      const Lanes x = 1 - cosine; // (n_i - s n_j).n_i of unit normals; |n_i - s n_j|^2 is twice this
-      const Lanes below = mixed_threshold - x;
-      if (weight_kind == 1) // eqs. 4 and 5, the two Gaussians in one exponential
-        weight = expOfMinus (distance_term + maximum (2 * x, splat (0)) * step.normal_factor);
-      else // eqs. 6 and 7
-        weight = below > 0 ? expOfMinus (distance_term) * (below * below) : splat (0);
-    }
-    const Mask counts = (cosine == cosine) & (isOther (neighbor, own) | (j == 0 ? -1 : 0));
-    const Lanes3 term = weight * normal;
-    sum.x += counts ? term.x : splat (0); // eq. 2
+    Lanes3 normal, difference;
+    if (kind == 0) // needs no positions
+      normal = load3 (step.nodes.normals, neighbor);
+    else
+      difference = points.difference (neighbor, step.nodes.normals, normal);
+    const Lanes cosine = dot (own_normal, normal);
+    const Lanes weight = filterWeight<kind> (factors, step.threshold, difference, similarity (cosine, step.oriented));
+    const Lanes3 term = turned (weight, cosine, step.oriented) * normal;
+    const Mask counts = (cosine == cosine) & isOther (neighbor, j == 0 ? no_nodes : own);
+    sum.x += counts ? term.x : splat (0);
     sum.y += counts ? term.y : splat (0);
     sum.z += counts ? term.z : splat (0);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lanes.h"
+#include "lane_vectors.h"
 
 #include <pcl_normal_smoothing/core/kernels.h>
 

@@ -62,11 +62,12 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
   Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself: it adds nothing above
   for (std::size_t j = 1; j < rows.length; ++j) {
     const std::uint32_t* neighbor = own + 16 * j;
-    const Lanes3 difference = differences[j];
-    Lanes3 normal = load3 (step.nodes.normals, neighbor);
-    const Lanes x = 1 - turn (normal, own_normal, step.oriented);
+    const Lanes3 difference = differences[j], normal = load3 (step.nodes.normals, neighbor);
+    const Lanes cosine = dot (own_normal, normal), x = 1 - similarity (cosine, step.oriented);
     // Eq. 8, in which the signs of both n_j cancel; or along the mean of both normals.
-    Lanes height = compensated ? 0.5f * dot (own_normal + normal, difference) : dot (normal, difference);
+    Lanes height = dot (normal, difference);
+    if (compensated)
+      height = 0.5f * (turned (dot (own_normal, difference), cosine, step.oriented) + height);
     // Eq. 9, the Gaussians in one exponential.
     const Lanes exponent = dot (difference, difference) * reach_factor + x * x * step.normal_factor;
     Lanes weight = robust ? bell (exponent + height * height * step.residual_factor) : expOfMinus (exponent);

@@ -70,14 +70,17 @@ residualVariances (const NumberOfNodes& variances, const BlockRows& rows, int fi
 /** What weighs a neighbour besides its residual: exp (-d^2 / (2 .5^2)) in units of the reach, and, where \a by_normal,
   * exp (-|n_i - n_j|^2 / (2 .4^2)). As exponents. */
 LANES_INLINE void
-neighborExponents (const QuadricFitStep& step, const LocalPoints& local, const std::uint32_t* own, Lanes3 own_normal,
+neighborExponents (const QuadricFitStep& step,
+                   const LocalPoints& local,
+                   const std::uint32_t* own,
+                   Lanes3 own_normal,
                    Lanes* exponents)
 {
   for (std::size_t j = 0; j < local.count; ++j) {
     exponents[j] = 2 * dot (local.at[j], local.at[j]);
     if (step.by_normal) {
-      Lanes3 normal = load3 (step.nodes.normals, own + 16 * j);
-      const Lanes x = 1 - turn (normal, own_normal, step.oriented);
+      const Lanes cosine = dot (own_normal, load3 (step.nodes.normals, own + 16 * j));
+      const Lanes x = 1 - similarity (cosine, step.oriented);
       exponents[j] += x == x ? x * 6.25f : splat (0);
     }
   }

@@ -32,8 +32,8 @@ averagingWeights (const StepControl& control, const BlockRows& rows, int first)
   const Lanes3 own_normal = load3 (control.nodes.normals, own);
   const LocalPoints local (control.nodes, rows, own);
   const auto weightOf = [&] (std::size_t j) LANES_LAMBDA {
-    Lanes3 normal = load3 (control.nodes.normals, own + 16 * j);
-    const Lanes x = 1 - turn (normal, own_normal, control.oriented);
+    const Lanes cosine = dot (own_normal, load3 (control.nodes.normals, own + 16 * j));
+    const Lanes x = 1 - similarity (cosine, control.oriented);
     const Lanes exponent = 0.5f * dot (local.at[j], local.at[j]) + x * 2.0408163f; // |n_i - n_j|^2 / (2 .7^2)
     const Lanes weight = x == x ? local.one[j] * bell (exponent) : splat (0);
     return __builtin_convertvector(weight * 15.0f + 0.5f, Mask);
