@@ -31,7 +31,7 @@ path ()
 void
 load ()
 {
-#ifdef FUZZED_MESH
+#ifdef FUZZED_mesh
   tools::loadMesh (path ());
 #else
   const tools::CloudFile file = tools::loadCloud (path ());

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes the loading path of the tools, a format after the other, from the corpus in fuzz/corpus.
+# Fuzzes the loading path of the tools, clouds and meshes, a format after the other, from the corpus in fuzz/corpus.
 # usage: scripts/reliability/fuzz.sh [seconds a format]      default 300
 # What is found lands in build_fuzz/; exit status 1 where there is anything.
 set -euo pipefail
@@ -15,11 +15,11 @@ cmake -S "$root" --preset fuzz
 cmake --build "$build" --parallel "$(nproc)" --target fuzz/all
 
 status=0
-for format in pcd ply off obj; do
-  mkdir -p "$build/found_$format"
+for target in cloud_pcd cloud_ply mesh_off mesh_obj mesh_ply mesh_stl; do
+  mkdir -p "$build/found_$target"
   # CGAL meets claims of a damaged mesh by std::bad_alloc under a limit that AddressSanitizer cannot live with.
-  "$build/fuzz/fuzz_$format" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
-    -artifact_prefix="$build/$format." "$build/found_$format" "$root/fuzz/corpus/$format" 2>&1 |
+  "$build/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
+    -artifact_prefix="$build/$target." "$build/found_$target" "$root/fuzz/corpus/${target#*_}" 2>&1 |
     grep -E "^(Done|==|SUMMARY|artifact)|ERROR|runtime error|DONE" || status=1
 done
 if ls "$build"/*.crash-* "$build"/*.oom-* "$build"/*.timeout-* >/dev/null 2>&1; then

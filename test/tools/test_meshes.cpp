@@ -95,7 +95,7 @@ TEST_F (Meshes, AttributesOfOffArePassedOver)
   const std::string corners[] = {"0 0 0", "1 0 0", "0 1 0"};
   for (const char* keyword : {"COFF", "# one\n # two\n NOFF", "STOFF", "CNOFF", "STCNOFF", "OFF"})
     for (const char* attributes : {"", " 0", " 255 0 0 255", " 0.5 1e9 0", " 1 2 3 4 5 6 7 8 9"}) {
-      std::string text = std::string (keyword) + "\n3 1 0 0\n";
+      std::string text = std::string (keyword) + "\n3 1 0\n";
       for (const std::string& corner : corners)
         text += corner + attributes + "\n";
       writeText (path ("a.off"), text + "3 0 1 2" + attributes + "\n");
