@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and measures: ratios to the peers with accuracy beside, memory, whole programs, every
-# stage alone. Nothing else should run meanwhile. doc/performance.md explains the figures.
+# Installs what is missing, builds, and measures: ratios to the peers with accuracy beside, memory, whole programs, the
+# viewer, every stage alone. Nothing else should run meanwhile. doc/performance.md explains the figures.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -44,6 +44,9 @@ export OMP_WAIT_POLICY=passive
   done
 } | tee memory.md
 "$bin/programs" 25000 | tee programs.md
+if [ -x "$bin/viewer" ]; then
+  "$bin/viewer" | tee viewer.md
+fi
 "$bin/stages" "${stages[@]}" --benchmark_out=stages.json --benchmark_out_format=json >/dev/null
 python3 "$root/benchmarks/stage_table.py" stages.json | tee stages.md
 echo "The tables: $out"

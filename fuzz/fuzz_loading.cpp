@@ -8,13 +8,47 @@
 
 #include <pcl_normal_smoothing/core/error.h>
 
+#include <malloc.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <new>
 
 using namespace pcl_normal_smoothing;
+
+namespace
+{
+/** The memory that loading may take, as loadMesh bounds it in a tool: by a limit of the process, under which AddressSanitizer
+  * does not throw std::bad_alloc but ends. */
+constexpr std::size_t memory_bound = std::size_t (128) << 20;
+std::atomic<std::size_t> memory_taken {0};
+} // namespace
+
+void*
+operator new (std::size_t size)
+{
+  void* const data = size < memory_bound && memory_taken < memory_bound ? std::malloc (size) : nullptr;
+  if (data == nullptr)
+    throw std::bad_alloc ();
+  memory_taken += malloc_usable_size (data);
+  return data;
+}
+
+void
+operator delete (void* data) noexcept
+{
+  memory_taken -= malloc_usable_size (data);
+  std::free (data);
+}
+
+void
+operator delete (void* data, std::size_t) noexcept
+{
+  operator delete (data);
+}
 
 namespace
 {

@@ -72,10 +72,12 @@ withoutAttributes (std::string off)
   const std::size_t after = off.find_first_not_of (spaces, off.find_first_of (spaces, begin));
   if (after == std::string::npos || off.compare (after, 6, "BINARY") == 0)
     return off;
-  for (const std::string promise : {"ST", "C", "N"})
-    if (off.compare (begin, promise.size (), promise) == 0)
-      off.erase (begin, promise.size ());
-  return off;
+  std::size_t end = begin;
+  for (const std::string promise : {"ST", "C", "N"}) // in this order
+    end += off.compare (end, promise.size (), promise) == 0 ? promise.size () : 0;
+  const bool promises_again =
+      off.find_first_of ("CN", end) == end || off.compare (end, 2, "ST") == 0; // CGAL refuses that
+  return promises_again ? off : off.erase (begin, end - begin);
 }
 
 /** \return false where the file is no mesh */

@@ -17,7 +17,6 @@ cmake --build "$build" --parallel "$(nproc)" --target fuzz/all
 status=0
 for target in cloud_pcd cloud_ply mesh_off mesh_obj mesh_ply mesh_stl; do
   mkdir -p "$build/found_$target"
-  # CGAL meets claims of a damaged mesh by std::bad_alloc under a limit that AddressSanitizer cannot live with.
   "$build/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
     -artifact_prefix="$build/$target." "$build/found_$target" "$root/fuzz/corpus/${target#*_}" 2>&1 |
     grep -E "^(Done|==|SUMMARY|artifact)|ERROR|runtime error|DONE" || status=1

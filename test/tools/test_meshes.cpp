@@ -93,7 +93,7 @@ TEST_F (Meshes, OrderAndPolygonsOfEveryFormat)
 TEST_F (Meshes, AttributesOfOffArePassedOver)
 {
   const std::string corners[] = {"0 0 0", "1 0 0", "0 1 0"};
-  for (const char* keyword : {"COFF", "# one\n # two\n NOFF", "STOFF", "CNOFF", "STCNOFF", "OFF"})
+  for (const char* keyword : {"COFF", "# one\n # two\n NOFF", "STOFF", "CNOFF", "STCNOFF", "OFF", "STSKEL"})
     for (const char* attributes : {"", " 0", " 255 0 0 255", " 0.5 1e9 0", " 1 2 3 4 5 6 7 8 9"}) {
       std::string text = std::string (keyword) + "\n3 1 0\n";
       for (const std::string& corner : corners)
@@ -133,7 +133,9 @@ TEST_F (Meshes, ThatLie)
   expectUnreadable ("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
   expectUnreadable ("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
   expectUnreadable ("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n");
-  for (const char* nothing : {"", " ", "#", "# a\n", "COFF", "COFF ", "COFF\n3 1 0\n0 0 0 255  0"})
+  for (const char* nothing :
+       {"", " ", "#", "# a\n", "COFF", "COFF ", "COFF\n3 1 0\n0 0 0 255  0",
+        "STSTOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "NCOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"})
     expectUnreadable ("a.off", nothing);
   expectUnreadable ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   expectUnreadable ("a.obj", "hello\n");
