@@ -93,7 +93,7 @@ TEST_F (Meshes, OrderAndPolygonsOfEveryFormat)
 TEST_F (Meshes, AttributesOfOffArePassedOver)
 {
   const std::string corners[] = {"0 0 0", "1 0 0", "0 1 0"};
-  for (const char* keyword : {"COFF", "# one\n # two\n NOFF", "STOFF", "CNOFF", "STCNOFF", "OFF", "STSKEL"})
+  for (const char* keyword : {"COFF", "# one\n # two\n NOFF", "STOFF", "CNOFF", "STCNOFF", "OFF"})
     for (const char* attributes : {"", " 0", " 255 0 0 255", " 0.5 1e9 0", " 1 2 3 4 5 6 7 8 9"}) {
       std::string text = std::string (keyword) + "\n3 1 0\n";
       for (const std::string& corner : corners)
@@ -115,7 +115,7 @@ TEST_F (Meshes, BinaryOff)
   };
   for (const int count : {3, 1, 0})
     append (count);
-  for (const float coordinate : {0, 0, 0, 1, 0, 0, 0, 1, 0})
+  for (const float coordinate : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
     append (coordinate);
   for (const int corner : {3, 0, 1, 2, 0})
     append (corner);
