@@ -23,24 +23,25 @@ namespace
 {
 /** The memory that loading may take, as loadMesh bounds it in a tool: by a limit of the process, under which AddressSanitizer
   * does not throw std::bad_alloc but ends. */
-constexpr std::size_t memory_bound = std::size_t (128) << 20;
-std::atomic<std::size_t> memory_taken {0};
+constexpr std::ptrdiff_t memory_bound = std::ptrdiff_t (128) << 20;
+std::atomic<std::ptrdiff_t> memory_taken {0}; // below 0 by what other libraries have taken and this gives back
 } // namespace
 
 void*
 operator new (std::size_t size)
 {
-  void* const data = size < memory_bound && memory_taken < memory_bound ? std::malloc (size) : nullptr;
+  const bool is_much = size >= static_cast<std::size_t> (memory_bound) || memory_taken >= memory_bound;
+  void* const data = is_much ? nullptr : std::malloc (size);
   if (data == nullptr)
     throw std::bad_alloc ();
-  memory_taken += malloc_usable_size (data);
+  memory_taken += static_cast<std::ptrdiff_t> (malloc_usable_size (data));
   return data;
 }
 
 void
 operator delete (void* data) noexcept
 {
-  memory_taken -= malloc_usable_size (data);
+  memory_taken -= static_cast<std::ptrdiff_t> (malloc_usable_size (data));
   std::free (data);
 }
 
