@@ -8,10 +8,8 @@
 
 #include <pcl_normal_smoothing/core/error.h>
 
-#include <malloc.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -19,36 +17,28 @@
 
 using namespace pcl_normal_smoothing;
 
-namespace
-{
-/** The memory that loading may take, as loadMesh bounds it in a tool: by a limit of the process, under which AddressSanitizer
-  * does not throw std::bad_alloc but ends. */
-constexpr std::ptrdiff_t memory_bound = std::ptrdiff_t (128) << 20;
-std::atomic<std::ptrdiff_t> memory_taken {0}; // below 0 by what other libraries have taken and this gives back
-} // namespace
-
+/** Refuses what loadMesh refuses in a tool, by a limit of the process; under such a one AddressSanitizer does not throw
+  * std::bad_alloc but ends. */
 void*
 operator new (std::size_t size)
 {
-  const bool is_much = size >= static_cast<std::size_t> (memory_bound) || memory_taken >= memory_bound;
-  void* const data = is_much ? nullptr : std::malloc (size);
+  constexpr std::size_t bound = std::size_t (128) << 20;
+  void* const data = size < bound ? std::malloc (size) : nullptr;
   if (data == nullptr)
     throw std::bad_alloc ();
-  memory_taken += static_cast<std::ptrdiff_t> (malloc_usable_size (data));
   return data;
 }
 
 void
 operator delete (void* data) noexcept
 {
-  memory_taken -= static_cast<std::ptrdiff_t> (malloc_usable_size (data));
   std::free (data);
 }
 
 void
 operator delete (void* data, std::size_t) noexcept
 {
-  operator delete (data);
+  std::free (data);
 }
 
 namespace
