@@ -10,7 +10,7 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Memory for an array. From some megabytes on it is the system's own, not the heap's: in pages of two megabytes where there
+/** Memory for an array. From a megabyte on it is the system's own, not the heap's: in pages of two megabytes where there
   * are such, of which it has to be asked for fewer, and the processor finds more at once; and nothing of it stays behind.
   * \throw std::bad_alloc where there is none */
 void*
