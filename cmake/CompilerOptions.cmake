@@ -13,6 +13,8 @@ function(pcl_normal_smoothing_compile_options target)
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     # Of clang, where a test uses GoogleTest's macros as their documentation does.
     $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-gnu-zero-variadic-macro-arguments>
+    # And where a point type is made of PCL's macros.
+    $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-gnu-anonymous-struct;-Wno-nested-anon-types>
     # One result on every machine: no fused multiply-add, whatever the instruction set.
     -ffp-contract=off
     $<$<BOOL:${WARNINGS_AS_ERRORS}>:-Werror>)
