@@ -75,8 +75,7 @@ buildGraph (benchmark::State& state)
   const Input& input = inputOf (state, order);
   const core::NeighborQuery query {static_cast<std::uint32_t> (state.range (1))};
   for (auto _ : state)
-    benchmark::DoNotOptimize (
-        core::NeighborGraph::build (input.positions, query, core::Execution (threadsOf (state))));
+    benchmark::DoNotOptimize (core::NeighborGraph::build (input.positions, query, core::Execution (threadsOf (state))));
   count (state);
 }
 
@@ -206,16 +205,16 @@ memoryBandwidth (benchmark::State& state)
   state.SetBytesProcessed (static_cast<std::int64_t> (state.iterations ()) * size * 12);
 }
 
-/** Another: gets every neighbour's position, three numbers, and does next to nothing with it. */
+/** What a Gaussian or a mixed filter does once, before its iterations. */
 void
-neighborDistances (benchmark::State& state)
+weighByDistance (benchmark::State& state)
 {
   const Input& input = inputOf (state);
-  std::vector<float> factors (input.nodes.size ());
-  const core::NumberOfNodes task {nodeArrays (input.nodes, input.normals), factors.data ()};
+  std::vector<std::uint16_t> weights (input.graph->blockBegin (input.graph->blockCount ()));
+  const core::DistanceWeights task {nodeArrays (input.nodes, input.normals), weights.data ()};
   for (auto _ : state)
     forEachBlock (*input.graph, core::Execution (threadsOf (state)),
-                  [&] (const core::BlockRows& rows) { core::kernels ().distance_factors (task, rows); });
+                  [&] (const core::BlockRows& rows) { core::kernels ().distance_weights (task, rows); });
   count (state);
 }
 
@@ -255,7 +254,7 @@ BENCHMARK (updatePoints<UpdateRule::PAPER>)->Apply (manySizes);
 BENCHMARK (updatePoints<UpdateRule::COMPENSATED>)->Apply (manySizes);
 BENCHMARK (smoothInRounds<false>)->Apply (manySizes);
 BENCHMARK (smoothInRounds<true>)->Apply (manySizes);
-BENCHMARK (neighborDistances)->Apply (manySizes);
+BENCHMARK (weighByDistance)->Apply (manySizes);
 BENCHMARK (memoryBandwidth)->Apply (oneSize);
 } // namespace
 

@@ -30,21 +30,23 @@ filterNormals (const NeighborGraph& graph,
 {
   if (options.iterations == 0 || graph.size () == 0)
     return;
-  std::vector<float> distance_factors (graph.size ());
+  const bool by_distance = options.weight != NormalWeight::THRESHOLD;
+  PaddedVector<std::uint16_t> distance_weights (by_distance ? graph.blockBegin (graph.blockCount ()) : 0);
   Vectors filtered (graph.size ());
   NormalFilterStep step {};
-  step.distance_factor = distance_factors.data ();
+  step.distance_weights = distance_weights.data ();
   step.weight = static_cast<int> (options.weight);
   step.threshold = options.threshold;
   step.normal_factor = 1 / (2 * options.sigma_s * options.sigma_s);
   step.rms = options.mixed_threshold == MixedThreshold::RMS;
   step.oriented = options.oriented;
+  step.all_normals = haveAllNormals (normals);
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     step.nodes = nodeArrays (positions, normals);
     step.filtered = filtered.data ()->data ();
     forEachBlock (graph, execution.part (iteration, iteration + 1, options.iterations), [&] (const BlockRows& rows) {
-      if (iteration == 0)
-        kernels ().distance_factors ({step.nodes, distance_factors.data ()}, rows);
+      if (iteration == 0 && by_distance)
+        kernels ().distance_weights ({step.nodes, distance_weights.data ()}, rows);
       kernels ().filter_normals (step, rows);
     });
     normals.swap (filtered);

@@ -49,6 +49,7 @@ updatePoints (NeighborGraph::ConstPtr graph,
   step.reach_scale = 1;
   step.normal_factor = 1 / (2 * options.sigma_s * options.sigma_s);
   step.oriented = options.oriented;
+  step.all_normals = haveAllNormals (normals);
   step.max_displacement = options.max_displacement;
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     if (options.search_interval > 0 && iteration > 0 && iteration % options.search_interval == 0)

@@ -130,7 +130,7 @@ private:
   forAllBlocks (const Kernel& kernel, const Arguments& arguments, std::size_t k)
   {
     forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
-      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k), rows.pairs_begin});
+      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k), rows.begin, rows.pairs_begin});
     });
   }
 
@@ -155,16 +155,20 @@ private:
   void
   filterFitted ()
   {
-    float* distance_factors = risks_.data (); // which are not in use yet
     NormalFilterStep step {};
     step.nodes = nodeArrays (positions_, normals_);
-    step.distance_factor = distance_factors;
     step.weight = static_cast<int> (NormalWeight::GAUSSIAN);
     step.normal_factor = 1 / (2 * .15f * .15f);
     step.oriented = options_.oriented;
     step.filtered = other_.data ()->data ();
-    forAllBlocks (kernels ().distance_factors, NumberOfNodes {step.nodes, distance_factors}, k_);
-    forAllBlocks (kernels ().filter_normals, step, k_);
+    forEachBlock (graph_, progress_, [&] (const BlockRows& block) {
+      std::uint16_t distance_weights[NeighborGraph::block_size * max_k];
+      const BlockRows rows {block.neighbors, std::min (block.length, k_)};
+      kernels ().distance_weights ({step.nodes, distance_weights}, rows);
+      NormalFilterStep of_block = step;
+      of_block.distance_weights = distance_weights;
+      kernels ().filter_normals (of_block, rows);
+    });
     normals_.swap (other_);
   }
 

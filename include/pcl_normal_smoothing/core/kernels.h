@@ -13,6 +13,7 @@ struct BlockRows
 {
   const std::uint32_t* neighbors;
   std::size_t length;
+  std::size_t begin = 0;       // of the block where all blocks keep something for every neighbour
   std::size_t pairs_begin = 0; // of the block where all blocks keep one byte for two neighbours
 };
 
@@ -29,6 +30,13 @@ struct NumberOfNodes
 {
   NodeArrays nodes;
   float* numbers; // out
+};
+
+/** Weighs every neighbour by its distance: see core/normal_filter.h. */
+struct DistanceWeights
+{
+  NodeArrays nodes;
+  std::uint16_t* weights; // out: exp (-d^2 / (2 sigma_c^2)) in units of 1 / 65535; 0 behind the end of a row
 };
 
 /** Computes a normal of every node. */
@@ -50,13 +58,14 @@ struct NormalVoteStep
 struct NormalFilterStep
 {
   NodeArrays nodes;
-  const float* distance_factor; // 1 / (2 sigma_c^2) of every node
-  int weight;                   // NormalWeight
+  const std::uint16_t* distance_weights; // of all neighbours; null for NormalWeight::THRESHOLD
+  int weight;                            // NormalWeight
   float threshold;
   float normal_factor; // 1 / (2 sigma_s^2)
   bool rms;            // MixedThreshold::RMS
   bool oriented;
-  float* filtered; // out
+  bool all_normals; // no node is without one
+  float* filtered;  // out
 };
 
 /** One iteration of the point update: see core/point_update.h. */
@@ -70,6 +79,7 @@ struct PointUpdateStep
   float normal_factor;   // 1 / (2 sigma_s^2)
   float residual_factor; // robust: 1 / (2 sigma^2) of the height
   bool oriented;
+  bool all_normals; // no node is without one
   float max_displacement;
   float* moved; // out: offsets
 };
@@ -137,7 +147,7 @@ struct CandidateQuery
 struct Kernels
 {
   const char* name;
-  void (*distance_factors) (const NumberOfNodes& factors, const BlockRows& rows);
+  void (*distance_weights) (const DistanceWeights& task, const BlockRows& rows);
   void (*filter_normals) (const NormalFilterStep& step, const BlockRows& rows);
   void (*update_points) (const PointUpdateStep& step, const BlockRows& rows);
   void (*start_normals) (const NormalOfNodes& normals, const BlockRows& rows);

@@ -4,6 +4,8 @@
 #include <pcl_normal_smoothing/core/kernels.h>
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 
+#include <algorithm>
+
 namespace pcl_normal_smoothing
 {
 namespace core
@@ -24,7 +26,8 @@ forEachBlock (const NeighborGraph& graph, const Execution& execution, const Body
       graph.blockCount (), execution,
       [&] (std::size_t begin, std::size_t end) {
         for (std::size_t block = begin; block < end; ++block)
-          body (BlockRows {graph.blockRows (block), graph.blockLength (block), pairsBegin (graph, block)});
+          body (BlockRows {graph.blockRows (block), graph.blockLength (block), graph.blockBegin (block),
+                           pairsBegin (graph, block)});
       },
       64);
 }
@@ -34,6 +37,13 @@ nodeArrays (const Positions& positions, const Vectors& normals)
 {
   const float* offset = hasOffsets (positions) ? positions.offset.data ()->data () : nullptr;
   return {positions.base.data ()->data (), offset, normals.data ()->data ()};
+}
+/** Whether no node is without a normal. */
+inline bool
+haveAllNormals (const Vectors& normals)
+{
+  return std::none_of (normals.begin (), normals.end (),
+                       [] (const Eigen::Vector3f& normal) { return normal.x () != normal.x (); });
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

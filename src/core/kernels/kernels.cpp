@@ -20,6 +20,9 @@ namespace
 template <typename Arguments>
 using LanesKernel = void (*) (const Arguments&, const BlockRows&, int);
 
+template <typename Arguments>
+using BlockKernel = void (*) (const Arguments&, const BlockRows&);
+
 /** Runs a kernel on all lanes of a block that hold a node of their own: those behind the last node repeat it, and a
   * kernel that works in place must not meet its own result. */
 template <typename Arguments, LanesKernel<Arguments> kernel>
@@ -31,26 +34,47 @@ onBlock (const Arguments& arguments, const BlockRows& rows)
     kernel (arguments, rows, first);
 }
 
+/** Whether all nodes of a block have as many neighbours. */
+bool
+rowsAreFull (const BlockRows& rows)
+{
+  const std::uint32_t* last = rows.neighbors + 16 * (rows.length - 1);
+  for (int lane = 0; lane < 16; ++lane)
+    if (last[lane] == rows.neighbors[lane])
+      return false;
+  return true;
+}
+
+template <bool complete>
 void
 filterNormalsOfBlock (const NormalFilterStep& step, const BlockRows& rows)
 {
   if (step.weight == 0)
-    onBlock<NormalFilterStep, filterNormals<0>> (step, rows);
+    onBlock<NormalFilterStep, filterNormals<0, complete>> (step, rows);
   else if (step.weight == 1)
-    onBlock<NormalFilterStep, filterNormals<1>> (step, rows);
+    onBlock<NormalFilterStep, filterNormals<1, complete>> (step, rows);
   else
-    onBlock<NormalFilterStep, filterNormals<2>> (step, rows);
+    onBlock<NormalFilterStep, filterNormals<2, complete>> (step, rows);
 }
 
+template <bool complete>
 void
 updatePointsOfBlock (const PointUpdateStep& step, const BlockRows& rows)
 {
   if (step.robust)
-    onBlock<PointUpdateStep, updatePoints<true, true>> (step, rows);
+    onBlock<PointUpdateStep, updatePoints<true, true, complete>> (step, rows);
   else if (step.compensated)
-    onBlock<PointUpdateStep, updatePoints<true, false>> (step, rows);
+    onBlock<PointUpdateStep, updatePoints<true, false, complete>> (step, rows);
   else
-    onBlock<PointUpdateStep, updatePoints<false, false>> (step, rows);
+    onBlock<PointUpdateStep, updatePoints<false, false, complete>> (step, rows);
+}
+
+/** The \a complete kernel where all nodes have normals and the block's rows no gaps, else that which looks for them. */
+template <typename Step, BlockKernel<Step> complete, BlockKernel<Step> any>
+void
+whereComplete (const Step& step, const BlockRows& rows)
+{
+  (step.all_normals && rowsAreFull (rows) ? complete : any) (step, rows);
 }
 
 void
@@ -81,9 +105,9 @@ rankAllKeys (const float* keys, std::size_t count, std::int32_t* ranks)
 
 extern const Kernels table;
 const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA),
-                       onBlock<NumberOfNodes, distanceFactors>,
-                       filterNormalsOfBlock,
-                       updatePointsOfBlock,
+                       onBlock<DistanceWeights, distanceWeights>,
+                       whereComplete<NormalFilterStep, filterNormalsOfBlock<true>, filterNormalsOfBlock<false>>,
+                       whereComplete<PointUpdateStep, updatePointsOfBlock<true>, updatePointsOfBlock<false>>,
                        onBlock<NormalOfNodes, startNormals>,
                        onBlock<NormalVoteStep, electNormals>,
                        onBlock<NumberOfNodes, residualVariances>,

@@ -35,9 +35,11 @@ constexpr int lane_count = 4;
 
 /** One number of several points, a point a lane. Every lane does what a scalar would, so the result does not depend on
   * the number of lanes. Comparisons give a Mask, and mask ? a : b chooses lane by lane. */
-typedef float Lanes __attribute__ ((vector_size (4 * lane_count), aligned (4)));
-typedef std::int32_t Mask __attribute__ ((vector_size (4 * lane_count), aligned (4)));
-typedef std::uint8_t Bytes __attribute__ ((vector_size (lane_count), aligned (1)));
+typedef float Lanes __attribute__ ((vector_size (4 * lane_count)));
+typedef std::int32_t Mask __attribute__ ((vector_size (4 * lane_count)));
+typedef std::uint8_t Bytes __attribute__ ((vector_size (lane_count)));
+typedef std::uint16_t Shorts __attribute__ ((vector_size (2 * lane_count)));
+constexpr float max_short = 65535;
 
 /** Copied number by number: a compiler that copies it as memory, in pieces, has the processor wait for each. */
 struct Lanes3
@@ -84,6 +86,20 @@ LANES_INLINE void
 store (float* to, Lanes value)
 {
   std::memcpy (to, &value, sizeof value);
+}
+
+/** Numbers of at least 0, and at most max_short, to the nearest integer below. */
+LANES_INLINE void
+storeShorts (std::uint16_t* to, Lanes value)
+{
+  const Shorts shorts = __builtin_convertvector(__builtin_convertvector(value, Mask), Shorts);
+  std::memcpy (to, &shorts, sizeof shorts);
+}
+
+LANES_INLINE Lanes
+loadShorts (const std::uint16_t* from)
+{
+  return __builtin_convertvector(__builtin_convertvector(load<Shorts> (from), Mask), Lanes);
 }
 
 /** a < b ? a : b; so b where one is NaN */
@@ -148,30 +164,42 @@ operator* (Lanes s, Lanes3 a)
   return {s * a.x, s * a.y, s * a.z};
 }
 
+LANES_INLINE Lanes3
+operator/ (Lanes3 a, Lanes s)
+{
+  return {a.x / s, a.y / s, a.z / s};
+}
+
+/** a in the lanes of the mask, b in the others. */
+LANES_INLINE Lanes3
+choose (Mask mask, Lanes3 a, Lanes3 b)
+{
+  return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
+}
+
 LANES_INLINE Lanes
 dot (Lanes3 a, Lanes3 b)
 {
   return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
-/** exp (-x) for x >= 0 within 2e-7 relative, 0 from x = 87 on; NaN for NaN. */
+/** exp (-x) for x >= 0 within 2e-7 (1 + x / 2) relative, 0 from x = 88 on; NaN for NaN. */
 LANES_INLINE Lanes
 expOfMinus (Lanes x)
 {
-  // exp (-x) = 2^n exp (r), n = round (-x / ln 2), |r| <= ln 2 / 2; ln 2 in two parts, the first exact times n.
-  constexpr float log2_e = 1.44269504f, ln2_high = 0.693359375f, ln2_low = -2.12194440e-4f;
-  // 1.5 * 2^23 leaves the integer in the low bits of what it is added to; and there 127 makes n an exponent field.
+  // exp (-x) = 2^n 2^-r, n = round (-x / ln 2), |r| <= 1 / 2.
+  constexpr float log2_e = 1.44269504f;
+  // 1.5 * 2^23 leaves the integer in the low bits of what it is added to; there 127 makes n an exponent field: from n = -127
+  // on that of zero.
   constexpr float round_to_integer = 12582912.0f + 127;
-  const Lanes clamped = minimum (splat (87.0f), x);
-  const Lanes shifted = round_to_integer - clamped * log2_e;
-  const Lanes n = shifted - round_to_integer;
-  const Lanes r = (-clamped - n * ln2_high) - n * ln2_low;
-  Lanes polynomial = splat (.008312521f); // beginning with 1 + r; of these the least relative error, 1.05e-7
-  constexpr float coefficients[] = {.041890156f, .16667114f, .4999923f, 1.0f, 1.0f};
+  const Lanes power_of_half = minimum (splat (127.0f), x * log2_e);
+  const Lanes shifted = round_to_integer - power_of_half;
+  const Lanes r = power_of_half + (shifted - round_to_integer);
+  Lanes polynomial = splat (-0.00133002584f); // beginning with 1 - r ln 2; of these the least relative error, 1.05e-7
+  constexpr float coefficients[] = {0.00966971833f, -0.0555055998f, 0.240222812f, -0.693147182f, 1.0f};
   for (const float coefficient : coefficients)
     polynomial = polynomial * r + coefficient;
-  const Lanes power = (Lanes) ((Mask) shifted << 23); // 2^n
-  return x >= 87.0f ? splat (0.0f) : polynomial * power;
+  return polynomial * (Lanes) ((Mask) shifted << 23); // 2^n
 }
 } // namespace PCL_NORMAL_SMOOTHING_ISA
 } // namespace core

@@ -103,7 +103,7 @@ startNormals (const NormalOfNodes& normals, const BlockRows& rows, int first)
   const Lanes3 normal = weightedPlaneNormal (local);
   const Mask valid = (local.size () >= 3) & (local.reach > 0) & (dot (normal, normal) > 0.5f);
   const Lanes nan = splat (__builtin_nanf (""));
-  store3 (normals.normals, own, {valid ? normal.x : nan, valid ? normal.y : nan, valid ? normal.z : nan});
+  store3 (normals.normals, own, choose (valid, normal, {nan, nan, nan}));
 }
 } // namespace PCL_NORMAL_SMOOTHING_ISA
 } // namespace core

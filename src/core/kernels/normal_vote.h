@@ -34,7 +34,7 @@ electNormals (const NormalVoteStep& step, const BlockRows& rows, int first)
       support += local.one[j] * bell (exponents[j] + height * height * height_factor);
     }
     const Mask better = (normal.x == normal.x) & (support > most);
-    elected = {better ? normal.x : elected.x, better ? normal.y : elected.y, better ? normal.z : elected.z};
+    elected = choose (better, normal, elected);
     most = better ? support : most;
   }
   store3 (step.elected, own, elected);

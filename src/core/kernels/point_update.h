@@ -10,59 +10,35 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** The way to all neighbours of the lanes' points, kept where there is room: it is needed twice. */
-class Differences
+/** 1 / (2 sigma_c^2) of eq. 9, sigma_c the distance of the farthest neighbour now; 0 where that is 0. */
+template <typename Differences>
+LANES_INLINE Lanes
+reachFactor (const Differences& differences, const BlockRows& rows)
 {
-public:
-  LANES_INLINE
-  Differences (const Points& points, const BlockRows& rows, const std::uint32_t* own)
-  : points_ (points), own_ (own), kept_ (rows.length <= max_fit_neighbors)
-  {
-    for (std::size_t j = 1; j < rows.length; ++j) {
-      const Lanes3 difference = points.difference (own + 16 * j);
-      if (kept_)
-        differences_[j] = difference;
-      farthest_ = maximum (farthest_, dot (difference, difference));
-    }
-  }
-
-  LANES_INLINE Lanes3
-  operator[] (std::size_t j) const
-  {
-    return kept_ ? differences_[j] : points_.difference (own_ + 16 * j);
-  }
-
-  /** 1 / (2 sigma_c^2) of eq. 9, sigma_c the distance of the farthest neighbour now; 0 where that is 0. */
-  LANES_INLINE Lanes
-  reachFactor () const
-  {
-    return farthest_ > 0 ? 1 / (2 * farthest_) : splat (0);
-  }
-
-private:
-  const Points& points_;
-  const std::uint32_t* own_;
-  bool kept_;
-  Lanes farthest_ = {};
-  Lanes3 differences_[max_fit_neighbors];
-};
+  Lanes farthest = {};
+  for (std::size_t j = 1; j < rows.length; ++j)
+    farthest = maximum (farthest, dot (differences (j), differences (j)));
+  return farthest > 0 ? 1 / (2 * farthest) : splat (0);
+}
 
 /** One iteration of eq. 8 (Sun et al. 2007), or of its compensated form; robust: with a weight for the height of the
-  * neighbour too. */
-template <bool compensated, bool robust>
+  * neighbour too.
+  * \tparam complete all nodes have normals, and those of the lanes as many neighbours as others of the block */
+template <bool compensated, bool robust, bool complete>
 LANES_INLINE void
 updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
   const Lanes3 own_normal = load3 (step.nodes.normals, own);
-  const Differences differences (points, rows, own);
-  const Lanes reach_factor = differences.reachFactor () * step.reach_scale;
+  const auto read = [&] (std::size_t j) LANES_LAMBDA { return points.difference (own + 16 * j); };
+  const NeighborVectors<decltype (read)> differences (read, rows.length);
+  const Lanes reach_factor = reachFactor (differences, rows) * step.reach_scale;
   Lanes3 sum = {};
   Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself: it adds nothing above
   for (std::size_t j = 1; j < rows.length; ++j) {
     const std::uint32_t* neighbor = own + 16 * j;
-    const Lanes3 difference = differences[j], normal = load3 (step.nodes.normals, neighbor);
+    const Lanes3 difference = differences (j), normal = load3 (step.nodes.normals, neighbor);
     const Lanes cosine = dot (own_normal, normal), x = 1 - similarity (cosine, step.oriented);
     // Eq. 8, in which the signs of both n_j cancel; or along the mean of both normals.
     Lanes height = dot (normal, difference);
@@ -70,14 +46,11 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
       height = 0.5f * (turned (dot (own_normal, difference), cosine, step.oriented) + height);
     // Eq. 9, the Gaussians in one exponential.
     const Lanes exponent = dot (difference, difference) * reach_factor + x * x * step.normal_factor;
-    Lanes weight = robust ? bell (exponent + height * height * step.residual_factor) : expOfMinus (exponent);
+    const Lanes weight = robust ? bell (exponent + height * height * step.residual_factor) : expOfMinus (exponent);
+    const Lanes3 term = (weight * height) * normal;
     const Mask counts = (x == x) & isOther (neighbor, own);
-    weight = counts ? weight : splat (0);
-    height = counts ? weight * height : splat (0);
-    weights += weight;
-    sum.x += counts ? height * normal.x : splat (0);
-    sum.y += counts ? height * normal.y : splat (0);
-    sum.z += counts ? height * normal.z : splat (0);
+    weights += complete ? weight : counts ? weight : splat (0);
+    sum = sum + (complete ? term : choose (counts, term, Lanes3 {}));
   }
   const Lanes scale = weights > 0 ? 1 / weights : splat (0);
   const Lanes3 start = load3OrZero (step.start, own);

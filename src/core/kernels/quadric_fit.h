@@ -117,8 +117,7 @@ fitNormals (const QuadricFitStep& step, const BlockRows& rows, int first)
   }
   const Lanes3 fitted = quadric.normal (frame);
   const Mask valid = (local.size () >= min_fit_points) & (dot (fitted, fitted) > 0.5f);
-  store3 (step.fitted, own,
-          {valid ? fitted.x : own_normal.x, valid ? fitted.y : own_normal.y, valid ? fitted.z : own_normal.z});
+  store3 (step.fitted, own, choose (valid, fitted, own_normal));
 }
 } // namespace PCL_NORMAL_SMOOTHING_ISA
 } // namespace core
