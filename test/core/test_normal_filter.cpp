@@ -114,10 +114,14 @@ TEST_P (NormalFilterTest, AMissingNormalStaysMissingAndDoesNotCount)
   for (std::size_t i = 0; i < normals.size (); i += 5)
     normals[i].setConstant (nan_float);
   const Vectors result = filteredByPoint (shape_.points, normals, 10, options (3));
+  std::size_t filtered = 0;
   for (std::size_t i = 0; i < normals.size (); ++i) {
     EXPECT_EQ (std::isnan (result[i].x ()), i % 5 == 0) << "point " << i;
     EXPECT_TRUE (i % 5 == 0 || result[i].dot (normals[i]) > 0.7) << "point " << i;
+    if (i % 5 != 0 && result[i] != normals[i])
+      ++filtered;
   }
+  EXPECT_GT (filtered, normals.size () / 2) << "beside missing ones, normals are filtered as well";
 }
 
 TEST_P (NormalFilterTest, SurvivesPointsThatAreAllEqual)
