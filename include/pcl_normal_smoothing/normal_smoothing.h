@@ -98,7 +98,7 @@ public:
   filter (pcl::PCLPointCloud2& output)
   {
     this->filterInto (this->filter_name_, this->input_.get (), output,
-                      [this] (pcl::PCLPointCloud2& result) { pcl::Filter<pcl::PCLPointCloud2>::filter (result); });
+                      [this] (pcl::PCLPointCloud2& result) { runInto (result); });
   }
 
 protected:
@@ -112,6 +112,17 @@ protected:
   }
 
 private:
+  /** What pcl::Filter::filter does with an output that is not the input. Calling that would have every program load
+    * libpcl_filters for it, two thirds of the time that a tool takes to start. */
+  void
+  runInto (pcl::PCLPointCloud2& output)
+  {
+    if (!initCompute ())
+      return;
+    applyFilter (output);
+    deinitCompute ();
+  }
+
   void
   smooth (pcl::PCLPointCloud2& output);
 
