@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "neighbor_vectors.h"
+#include "neighbor_values.h"
 
 #include <pcl_normal_smoothing/core/kernels.h>
 
@@ -18,7 +18,7 @@ distanceWeights (const DistanceWeights& task, const BlockRows& rows, int first)
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (task.nodes.base, task.nodes.offset, own);
   const auto read = [&] (std::size_t j) LANES_LAMBDA { return points.difference (own + 16 * j); };
-  const NeighborVectors<decltype (read)> differences (read, rows.length);
+  const NeighborValues<Lanes3, decltype (read)> differences (read, rows.length);
   Lanes sum = {}, count = {};
   for (std::size_t j = 1; j < rows.length; ++j) {
     const Lanes one = isOther (own + 16 * j, own) ? splat (1) : splat (0);
@@ -107,7 +107,7 @@ filterNormals (const NormalFilterStep& step, const BlockRows& rows, int first)
   const auto read = [&] (std::size_t j) LANES_LAMBDA { return load3 (step.nodes.normals, own + 16 * j); };
   Lanes3 sum;
   if constexpr (kind == 2) {
-    const NeighborVectors<decltype (read)> normals (read, rows.length);
+    const NeighborValues<Lanes3, decltype (read)> normals (read, rows.length);
     sum = weightedSum<kind, complete> (step, rows, first, mixedThreshold (step, rows, own, normals), normals);
   }
   else {

@@ -10,14 +10,54 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
+/** A neighbour and its plane, as eqs. 8 and 9 need them. Copied number by number, as Lanes3. */
+struct NeighborPlane
+{
+  Lanes3 normal;
+  Lanes sq_dist, cosine, height;
+
+  NeighborPlane () = default;
+
+  LANES_INLINE
+  NeighborPlane (Lanes3 of_normal, Lanes of_sq_dist, Lanes of_cosine, Lanes of_height)
+  : normal (of_normal), sq_dist (of_sq_dist), cosine (of_cosine), height (of_height)
+  {}
+
+  LANES_INLINE
+  NeighborPlane (const NeighborPlane& other)
+  : normal (other.normal), sq_dist (other.sq_dist), cosine (other.cosine), height (other.height)
+  {}
+
+  LANES_INLINE NeighborPlane&
+  operator= (const NeighborPlane& other)
+  {
+    normal = other.normal, sq_dist = other.sq_dist, cosine = other.cosine, height = other.height;
+    return *this;
+  }
+};
+
+/** Those that \a index names. Compensated: their height along the mean of both normals. */
+template <bool compensated>
+LANES_INLINE NeighborPlane
+neighborPlane (const PointUpdateStep& step, const Points& points, Lanes3 own_normal, const std::uint32_t* index)
+{
+  Lanes3 normal;
+  const Lanes3 difference = points.difference (index, step.nodes.normals, normal);
+  const Lanes cosine = dot (own_normal, normal);
+  Lanes height = dot (normal, difference); // eq. 8, in which the signs of both n_j cancel
+  if (compensated)
+    height = 0.5f * (turned (dot (own_normal, difference), cosine, step.oriented) + height);
+  return {normal, dot (difference, difference), cosine, height};
+}
+
 /** 1 / (2 sigma_c^2) of eq. 9, sigma_c the distance of the farthest neighbour now; 0 where that is 0. */
-template <typename Differences>
+template <typename Neighbors>
 LANES_INLINE Lanes
-reachFactor (const Differences& differences, const BlockRows& rows)
+reachFactor (const Neighbors& neighbors, const BlockRows& rows)
 {
   Lanes farthest = {};
   for (std::size_t j = 1; j < rows.length; ++j)
-    farthest = maximum (farthest, dot (differences (j), differences (j)));
+    farthest = maximum (farthest, neighbors (j).sq_dist);
   return farthest > 0 ? 1 / (2 * farthest) : splat (0);
 }
 
@@ -31,24 +71,20 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
   const Lanes3 own_normal = load3 (step.nodes.normals, own);
-  const auto read = [&] (std::size_t j) LANES_LAMBDA { return points.difference (own + 16 * j); };
-  const NeighborVectors<decltype (read)> differences (read, rows.length);
-  const Lanes reach_factor = reachFactor (differences, rows) * step.reach_scale;
+  const auto read = [&] (std::size_t j)
+                        LANES_LAMBDA { return neighborPlane<compensated> (step, points, own_normal, own + 16 * j); };
+  const NeighborValues<NeighborPlane, decltype (read)> neighbors (read, rows.length);
+  const Lanes reach_factor = reachFactor (neighbors, rows) * step.reach_scale;
   Lanes3 sum = {};
   Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself: it adds nothing above
   for (std::size_t j = 1; j < rows.length; ++j) {
-    const std::uint32_t* neighbor = own + 16 * j;
-    const Lanes3 difference = differences (j), normal = load3 (step.nodes.normals, neighbor);
-    const Lanes cosine = dot (own_normal, normal), x = 1 - similarity (cosine, step.oriented);
-    // Eq. 8, in which the signs of both n_j cancel; or along the mean of both normals.
-    Lanes height = dot (normal, difference);
-    if (compensated)
-      height = 0.5f * (turned (dot (own_normal, difference), cosine, step.oriented) + height);
+    const NeighborPlane neighbor = neighbors (j);
+    const Lanes height = neighbor.height, x = 1 - similarity (neighbor.cosine, step.oriented);
     // Eq. 9, the Gaussians in one exponential.
-    const Lanes exponent = dot (difference, difference) * reach_factor + x * x * step.normal_factor;
+    const Lanes exponent = neighbor.sq_dist * reach_factor + x * x * step.normal_factor;
     const Lanes weight = robust ? bell (exponent + height * height * step.residual_factor) : expOfMinus (exponent);
-    const Lanes3 term = (weight * height) * normal;
-    const Mask counts = (x == x) & isOther (neighbor, own);
+    const Lanes3 term = (weight * height) * neighbor.normal;
+    const Mask counts = (x == x) & isOther (own + 16 * j, own);
     weights += complete ? weight : counts ? weight : splat (0);
     sum = sum + (complete ? term : choose (counts, term, Lanes3 {}));
   }
