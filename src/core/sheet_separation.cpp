@@ -15,7 +15,7 @@ namespace
 {
 constexpr std::size_t start_k = 8;
 constexpr std::size_t row_length = 32; // what smoothing in rounds looks at
-constexpr int min_others = 3;
+constexpr float min_others = 3;
 // Sheets are parallel; a neighbour across an edge is none of them.
 constexpr float min_cosine = .7f;
 
@@ -51,6 +51,18 @@ public:
                                  evidence.slope * evidence.slope * squaredLength (way);
   }
 
+  /** isOther of all neighbours of all nodes at once. \param[out] others how many of each are */
+  OtherSheetTest
+  ofAll (const Evidence& evidence, float* others) const
+  {
+    return {nodeArrays (positions_, normals_),
+            evidence.distances * evidence.distances * sq_distance_,
+            evidence.slope * evidence.slope,
+            min_cosine,
+            oriented_,
+            others};
+  }
+
 private:
   const Positions& positions_;
   const Vectors& normals_;
@@ -77,19 +89,14 @@ electedNormals (const NeighborGraph& graph, const Positions& positions, float di
 std::vector<std::uint32_t>
 nodesBesideOtherSheets (const NeighborGraph& graph, const SheetTest& test, const Execution& execution)
 {
-  std::vector<std::uint8_t> beside (graph.size ());
-  parallelFor (graph.size (), execution, [&] (std::size_t begin, std::size_t end) {
-    for (auto node = static_cast<std::uint32_t> (begin); node < end; ++node) {
-      const Row row = graph.row (node);
-      int others = 0;
-      for (std::size_t j = 1; j < std::min (row.size (), row_length) && others < min_others; ++j)
-        others += test.isOther (node, row[j], to_change);
-      beside[node] = others == min_others;
-    }
+  Numbers others (graph.size ());
+  const OtherSheetTest of_all = test.ofAll (to_change, others.data ());
+  forEachBlock (graph, execution, [&] (const BlockRows& rows) {
+    kernels ().count_others (of_all, {rows.neighbors, std::min (rows.length, row_length)});
   });
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t node = 0; node < graph.size (); ++node)
-    if (beside[node])
+    if (others[node] >= min_others)
       nodes.push_back (node);
   return nodes;
 }

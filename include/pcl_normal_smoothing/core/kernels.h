@@ -54,6 +54,17 @@ struct NormalVoteStep
   float* elected;      // out
 };
 
+/** Counts the neighbours of every node that lie on another sheet: see core/sheet_separation.h. */
+struct OtherSheetTest
+{
+  NodeArrays nodes;
+  float sq_distance; // that a neighbour must exceed,
+  float sq_slope;    // and this times the square of the way to it more
+  float min_cosine;  // between the normals
+  bool oriented;     // an opposite normal is enough
+  float* others;     // out
+};
+
 /** One iteration of the normal filter: see core/normal_filter.h. */
 struct NormalFilterStep
 {
@@ -152,6 +163,7 @@ struct Kernels
   void (*update_points) (const PointUpdateStep& step, const BlockRows& rows);
   void (*start_normals) (const NormalOfNodes& normals, const BlockRows& rows);
   void (*elect_normals) (const NormalVoteStep& step, const BlockRows& rows);
+  void (*count_others) (const OtherSheetTest& test, const BlockRows& rows);
   void (*residual_variances) (const NumberOfNodes& variances, const BlockRows& rows);
   void (*fit_normals) (const QuadricFitStep& step, const BlockRows& rows);
   void (*step_risks) (const StepControl& control, const BlockRows& rows);

@@ -4,6 +4,7 @@
 #include "nearest.h"
 #include "normal_filter.h"
 #include "normal_vote.h"
+#include "other_sheet.h"
 #include "plane_votes.h"
 #include "point_update.h"
 #include "quadric_fit.h"
@@ -110,6 +111,7 @@ const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA),
                        whereComplete<PointUpdateStep, updatePointsOfBlock<true>, updatePointsOfBlock<false>>,
                        onBlock<NormalOfNodes, startNormals>,
                        onBlock<NormalVoteStep, electNormals>,
+                       onBlock<OtherSheetTest, countOthers>,
                        onBlock<NumberOfNodes, residualVariances>,
                        onBlock<QuadricFitStep, fitNormals>,
                        onBlock<StepControl, stepRisks>,
