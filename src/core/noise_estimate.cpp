@@ -149,10 +149,10 @@ isQuantised (double of_8, double of_12, double of_16)
 {
   return of_12 > 5 * of_8 && of_16 < 1.3 * of_12;
 }
+} // namespace
 
-/** Nodes whose hash is below the share of them that is wanted. */
 std::vector<std::uint32_t>
-sampleNodes (const Positions& nodes, std::uint64_t cloud_size, const Execution& execution)
+sampleNodes (const Positions& nodes, std::uint64_t cloud_size, std::size_t sample_size, const Execution& execution)
 {
   const double share =
       static_cast<double> (sample_size) / static_cast<double> (std::max<std::uint64_t> (cloud_size, sample_size));
@@ -170,7 +170,6 @@ sampleNodes (const Positions& nodes, std::uint64_t cloud_size, const Execution& 
     sample.insert (sample.end (), part.begin (), part.end ());
   return sample;
 }
-} // namespace
 
 void
 NoiseSample::join (const NoiseSample& part)
@@ -178,37 +177,47 @@ NoiseSample::join (const NoiseSample& part)
   for (std::size_t i = 0; i < variances.size (); ++i)
     variances[i].insert (variances[i].end (), part.variances[i].begin (), part.variances[i].end ());
   distances.insert (distances.end (), part.distances.begin (), part.distances.end ());
+  short_rows += part.short_rows;
 }
 
 std::vector<std::uint32_t>
 noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size)
 {
-  return sampleNodes (nodes, cloud_size, Execution (1));
+  return sampleNodes (nodes, cloud_size, sample_size, Execution (1));
 }
 
 NoiseSample
 sampleNoise (const NeighborGraph& graph,
              const Positions& nodes,
              const std::vector<std::uint32_t>& sample,
+             std::uint64_t cloud_size,
              const Execution& execution)
 {
-  return residualsOf (nodes, sample, rowsOfGraph (graph, sample), execution);
+  std::vector<std::uint32_t> with_rows;
+  for (const std::uint32_t node : sample)
+    if (graph.row (node).size () >= std::min<std::uint64_t> (row_length, cloud_size))
+      with_rows.push_back (node);
+  NoiseSample residuals = residualsOf (nodes, with_rows, rowsOfGraph (graph, with_rows), execution);
+  residuals.short_rows = sample.size () - with_rows.size ();
+  return residuals;
 }
 
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const std::vector<std::uint32_t> sample = sampleNodes (nodes, nodes.size (), execution);
+  const std::vector<std::uint32_t> sample = sampleNodes (nodes, nodes.size (), sample_size, execution);
   // A graph by radius, or of small neighbourhoods, does not show enough.
   const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
   if (is_enough)
-    return estimateNoise (sampleNoise (graph, nodes, sample, execution));
+    return estimateNoise (sampleNoise (graph, nodes, sample, nodes.size (), execution));
   return estimateNoise (residualsOf (nodes, sample, searchedRows (graph, nodes, sample, execution), execution));
 }
 
 NoiseEstimate
 estimateNoise (NoiseSample sample)
 {
+  if (sample.short_rows > 3 * sample.distances.size ())
+    return {};
   auto& [of_8, of_12, of_16] = sample.variances;
   // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom. Edges spoil the upper ones, other sheets all
   // but the lower ones.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_normal_smoothing
 {
@@ -15,6 +16,20 @@ namespace
 constexpr float displacement_sigmas = 5;
 // Two points of one sheet hardly lie farther apart across it.
 constexpr float sheet_sigmas = 4;
+// Sheets are told apart where they are more than a spacing or so apart, however large the noise seems for their sake.
+constexpr float test_spacings = 1.2f;
+// Of the way to another sheet: a point of the own one too few is better than one of the other.
+constexpr float share_of_gap = .36f;
+// The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
+constexpr float sheet_noise_factor = 1.4f;
+
+/** What is given counts before what is estimated. */
+NoiseEstimate
+knownNoise (const NoiseEstimate& estimated, const SmoothingOptions& options)
+{
+  const NoiseEstimate& given = options.rounds.noise;
+  return {given.sigma >= 0 ? given.sigma : estimated.sigma, given.spacing >= 0 ? given.spacing : estimated.spacing};
+}
 } // namespace
 
 SmoothingOptions
@@ -50,13 +65,27 @@ SmoothingPreparation::needsNoise (const SmoothingOptions& options)
   return options.robust && !(noise.sigma >= 0 && noise.spacing >= 0);
 }
 
-bool
-SmoothingPreparation::setSheetDistance (const NoiseEstimate& noise, SmoothingOptions& options)
+float
+SmoothingPreparation::sheetTestDistance (const NoiseEstimate& noise, const SmoothingOptions& options)
 {
-  RobustSmoothingOptions& rounds = options.rounds;
-  const float sigma = rounds.noise.sigma >= 0 ? rounds.noise.sigma : noise.sigma;
-  if (rounds.sheet_distance < 0)
-    rounds.sheet_distance = sheet_sigmas * sigma;
+  const NoiseEstimate known = knownNoise (noise, options);
+  const bool oriented = options.rounds.oriented && options.normals == NormalSource::INPUT;
+  if (!options.robust || oriented || options.rounds.sheet_distance >= 0 || !(known.sigma > 0))
+    return std::numeric_limits<float>::infinity ();
+  return std::min (sheet_sigmas * known.sigma, test_spacings * known.spacing);
+}
+
+bool
+SmoothingPreparation::setSheetDistance (const NoiseEstimate& noise,
+                                        const SheetEstimate& sheets,
+                                        SmoothingOptions& options)
+{
+  const float sigma = knownNoise (noise, options).sigma;
+  float& distance = options.rounds.sheet_distance;
+  if (sheets.gap > 0)
+    distance = std::min (sheetTestDistance (noise, options), share_of_gap * sheets.gap);
+  else if (distance < 0)
+    distance = sheet_sigmas * sigma;
   return options.robust && sigma > 0; // else nothing moves
 }
 
@@ -68,9 +97,12 @@ SmoothingPreparation::separation (const SmoothingOptions& options, const Vectors
 }
 
 NoiseEstimate
-SmoothingPreparation::chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated)
+SmoothingPreparation::chooseNoise (const NoiseEstimate& mixed,
+                                   const NoiseEstimate& separated,
+                                   const SheetEstimate& sheets)
 {
-  return {std::min (separated.sigma, 1.2f * mixed.sigma), mixed.spacing};
+  const float sigma = std::max (separated.sigma, sheet_noise_factor * sheets.sigma);
+  return {sigma > 0 ? std::min (sigma, 1.2f * mixed.sigma) : mixed.sigma, mixed.spacing};
 }
 
 void
@@ -97,11 +129,19 @@ prepareSmoothing (const Positions& positions,
   NoiseEstimate noise;
   if (estimates)
     noise = estimateNoise (*graph, positions, execution);
-  if (Preparation::setSheetDistance (noise, options)) {
+  const SheetEstimate sheets =
+      estimateSheets (*graph, positions, Preparation::sheetTestDistance (noise, options), execution);
+  const bool moves = Preparation::setSheetDistance (noise, sheets, options);
+  const SheetSeparationOptions separation = Preparation::separation (options, normals);
+  if (moves && separationDepth (separation) >= 0) {
     const NeighborGraph::ConstPtr mixed = graph;
-    graph = separateSheets (mixed, positions, Preparation::separation (options, normals), execution);
-    if (graph != mixed && estimates)
-      noise = Preparation::chooseNoise (noise, estimateNoise (*graph, positions, execution));
+    graph = separateSheets (mixed, positions, separation, execution);
+    // Else it would be the same again.
+    if (estimates && (graph != mixed || sheets.gap > 0 || mixed->minRowLength () < noise_row_length)) {
+      const NoiseSample separated = sampleNoise (*graph, positions, noiseSampleNodes (positions, positions.size ()),
+                                                 positions.size (), execution);
+      noise = Preparation::chooseNoise (noise, estimateNoise (separated), sheets);
+    }
   }
   Preparation::setNoise (noise, options);
 }

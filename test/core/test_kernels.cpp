@@ -48,18 +48,39 @@ TEST_P (KernelsTest, WhoseNodesAllHaveNormalsGivesTheSameWithoutLookingForThem)
 
 TEST_P (KernelsTest, SheetsAreTheSameForEveryInstructionSet)
 {
-  expectAllTheSame ([this] (const Kernels& kernels) {
-    std::vector<float> elected = vectors (), others (nodes_.size (), -77);
-    const NormalVoteStep vote {nodeArrays (nodes_, normals_), 200, elected.data ()};
-    const OtherSheetTest test {nodeArrays (nodes_, normals_), 0.001f, 0.09f, 0.7f, true, others.data ()};
-    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
-      kernels.elect_normals (vote, rows);
-      kernels.count_others (test, rows);
+  for (const float agreement : {0.0f, 2.0f})
+    expectAllTheSame ([&] (const Kernels& kernels) {
+      std::vector<float> elected = vectors (), others (nodes_.size (), -77);
+      const NormalVoteStep vote {nodeArrays (nodes_, normals_), 200, agreement, elected.data ()};
+      const OtherSheetTest test {nodeArrays (nodes_, normals_), 0.001f, 0.09f, 0.7f, true, others.data ()};
+      forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
+        kernels.elect_normals (vote, rows);
+        kernels.count_others (test, rows);
+      });
+      EXPECT_TRUE (graph_->minRowLength () < 4 || *std::max_element (others.begin (), others.end ()) > 0);
+      elected.insert (elected.end (), others.begin (), others.end ());
+      return elected;
     });
-    EXPECT_TRUE (graph_->minRowLength () < 4 || *std::max_element (others.begin (), others.end ()) > 0);
-    elected.insert (elected.end (), others.begin (), others.end ());
-    return elected;
-  });
+}
+
+TEST_P (KernelsTest, SomeNodesGiveWhatAllOfThemGive)
+{
+  const auto elected = [&] (const auto& forBlocks) {
+    std::vector<float> normals = vectors ();
+    const NormalVoteStep vote {nodeArrays (nodes_, normals_), 200, 2, normals.data ()};
+    forBlocks ([&] (const BlockRows& rows) { kernels ().elect_normals (vote, rows); });
+    return normals;
+  };
+  const std::vector<float> expected = elected ([&] (const auto& body) { forEachBlock (*graph_, Execution (2), body); });
+  std::vector<std::uint32_t> some;
+  for (std::uint32_t node = 0; node < nodes_.size (); node += 3)
+    some.push_back (node);
+  const std::vector<float> actual =
+      elected ([&] (const auto& body) { forEachBlockOf (*graph_, some, 1000, Execution (2), body); });
+  std::vector<float> mixed = vectors ();
+  for (const std::uint32_t node : some)
+    std::copy_n (expected.begin () + 3 * node, 3, mixed.begin () + 3 * node);
+  expectSameBits (actual, mixed, "some nodes");
 }
 
 TEST_P (KernelsTest, EstimatedNormalsAreTheSameForEveryInstructionSet)

@@ -150,9 +150,8 @@ costOfASecondSheet (float gap, bool oriented)
 
 TEST (RobustSmoothingOfSheetsTest, ASecondSheetCostsLittle)
 {
-  EXPECT_LT (costOfASecondSheet (3, false), 1.1);
-  EXPECT_LT (costOfASecondSheet (2, false), 1.5);
-  EXPECT_LT (costOfASecondSheet (1.5, false), 2.2);
+  for (const float gap : {1.5f, 1.75f, 2.0f, 3.0f})
+    EXPECT_LT (costOfASecondSheet (gap, false), 1.1) << gap << " spacings apart";
 }
 
 TEST (RobustSmoothingOfSheetsTest, WithOrientedNormalsItCostsNothing)

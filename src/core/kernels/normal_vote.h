@@ -11,28 +11,66 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 {
 constexpr std::size_t max_candidates = 16;
 
-/** Of the normals of the nearest points, the point's own first, elects that whose plane through the point has the most
-  * neighbours near: each counts exp (-d^2 / (2 .5^2)) in units of the reach, times a bell of its distance from the plane. */
+/** How much of its neighbourhood agrees with a candidate. A neighbour's share, exp (-d^2 / (2 .5^2)) in units of the reach, is its
+  * exponent. */
+struct Electorate
+{
+  const LocalPoints& local;
+  Lanes exponents[max_fit_neighbors];
+  Lanes3 normals[max_fit_neighbors]; // only where they count
+  Lanes height_factor;
+
+  LANES_INLINE
+  Electorate (const NormalVoteStep& step, const LocalPoints& of_local, const std::uint32_t* own)
+  : local (of_local), height_factor (step.height_factor * (of_local.reach * of_local.reach))
+  {
+    for (std::size_t j = 0; j < local.count; ++j) {
+      exponents[j] = 2 * dot (local.at[j], local.at[j]);
+      if (step.agreement > 0)
+        normals[j] = load3 (step.nodes.normals, own + 16 * j);
+    }
+  }
+
+  /** By the points: each counts as much as it is near the candidate's plane. */
+  LANES_INLINE Lanes
+  ofPoints (Lanes3 candidate) const
+  {
+    Lanes support = {};
+    for (std::size_t j = 0; j < local.count; ++j) {
+      const Lanes height = dot (candidate, local.at[j]);
+      support += local.one[j] * bell (exponents[j] + height * height * height_factor);
+    }
+    return support;
+  }
+
+  /** By their normals: exp (-|n - n_j|^2 / (2 .41^2)), without regard to the sign. */
+  LANES_INLINE Lanes
+  ofNormals (Lanes3 candidate) const
+  {
+    Lanes support = {};
+    for (std::size_t j = 0; j < local.count; ++j) {
+      const Lanes x = 1 - absolute (dot (candidate, normals[j]));
+      support += x == x ? local.one[j] * bell (exponents[j] + 6 * x) : splat (0);
+    }
+    return support;
+  }
+};
+
+/** Of the normals of the nearest points, the point's own first, elects that which has most of the neighbourhood for it. */
 LANES_INLINE void
 electNormals (const NormalVoteStep& step, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const LocalPoints local (step.nodes, rows, own);
-  const Lanes height_factor = step.height_factor * (local.reach * local.reach);
-  Lanes exponents[max_fit_neighbors];
-  for (std::size_t j = 0; j < local.count; ++j)
-    exponents[j] = 2 * dot (local.at[j], local.at[j]);
-
+  const Electorate electorate (step, local, own);
   Lanes3 elected = load3 (step.nodes.normals, own);
   Lanes most = splat (-1);
   const std::size_t candidates = local.count < max_candidates ? local.count : max_candidates;
   for (std::size_t c = 0; c < candidates; ++c) {
     const Lanes3 normal = load3 (step.nodes.normals, own + 16 * c);
-    Lanes support = {};
-    for (std::size_t j = 0; j < local.count; ++j) {
-      const Lanes height = dot (normal, local.at[j]);
-      support += local.one[j] * bell (exponents[j] + height * height * height_factor);
-    }
+    Lanes support = electorate.ofPoints (normal);
+    if (step.agreement > 0)
+      support += step.agreement * electorate.ofNormals (normal);
     const Mask better = (normal.x == normal.x) & (support > most);
     elected = choose (better, normal, elected);
     most = better ? support : most;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/neighbor_graph.h>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** What a cloud tells of sheets that are hardly farther apart than its points, in the unit of its positions. */
+struct SheetEstimate
+{
+  /** Distance from one sheet to the next; 0 where none is seen. */
+  float gap = 0;
+  /** Standard deviation of the noise by the points of a sheet, as of a Gaussian. */
+  float sigma = 0;
+};
+
+/** What the sample of a cloud tells of its sheets. The samples of its parts make that of the whole, in any order. */
+struct SheetSample
+{
+  std::size_t nodes = 0;
+  /** Those that have three neighbours on another sheet. */
+  std::size_t nodes_beside = 0;
+  /** How far the neighbours of those lie from the tangent planes. */
+  std::vector<float> heights;
+
+  void
+  join (const SheetSample& part);
+};
+
+/** Which nodes of a cloud, or of a part of it, are in the sample: about 1,024, chosen by a hash of the coordinates.
+  * \param[in] cloud_size finite points of the whole cloud */
+std::vector<std::uint32_t>
+sheetSampleNodes (const Positions& nodes, std::uint64_t cloud_size, const Execution& execution);
+
+/** \param[in] sample nodes of the graph; what it tells depends on the rows of nodes up to sheet_sample_depth hops off
+  * \param[in] distance that a neighbour on another sheet exceeds */
+SheetSample
+sampleSheets (const NeighborGraph& graph,
+              const Positions& positions,
+              const std::vector<std::uint32_t>& sample,
+              float distance,
+              const Execution& execution);
+
+/** The normals of the neighbours are elected among those of theirs, which are estimated from their rows. */
+constexpr int sheet_sample_depth = 2;
+
+/** Sheets are seen where the heights have two peaks, that of a node's own sheet and that of another one, and hardly any
+  * points between. The tail of one peak, as detail has it, is none.
+  * \param[in] distance of the sample */
+SheetEstimate
+estimateSheets (SheetSample sample, float distance);
+
+/** The same for a whole cloud; infinity: sheets are not looked for. */
+SheetEstimate
+estimateSheets (const NeighborGraph& graph, const Positions& positions, float distance, const Execution& execution);
+} // namespace core
+} // namespace pcl_normal_smoothing
