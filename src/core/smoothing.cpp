@@ -101,8 +101,9 @@ SmoothingPreparation::chooseNoise (const NoiseEstimate& mixed,
                                    const NoiseEstimate& separated,
                                    const SheetEstimate& sheets)
 {
-  const float sigma = std::max (separated.sigma, sheet_noise_factor * sheets.sigma);
-  return {sigma > 0 ? std::min (sigma, 1.2f * mixed.sigma) : mixed.sigma, mixed.spacing};
+  const float of_rows = std::min (separated.sigma, 1.2f * mixed.sigma), of_sheets = sheet_noise_factor * sheets.sigma;
+  const float sigma = std::max (of_rows, of_sheets);
+  return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing};
 }
 
 void
