@@ -114,17 +114,14 @@ residualsOf (const Positions& nodes,
   NoiseSample residuals;
   for (std::size_t s = 0; s < sample.size (); ++s) {
     const std::uint32_t node = sample[s], eighth = rows[s * row_length + sizes[0] - 1];
-    for (std::size_t i = 0; i < sizes.size (); ++i)
-      if (std::isfinite (of_nodes[i][node]))
-        residuals.variances[i].push_back (of_nodes[i][node]);
-    if (eighth != node)
-      residuals.distances.push_back (nodes.difference (node, eighth).norm ());
+    residuals.of_nodes.push_back ({{of_nodes[0][node], of_nodes[1][node], of_nodes[2][node]},
+                                   eighth == node ? 0 : nodes.difference (node, eighth).norm ()});
   }
   return residuals;
 }
 
 double
-quantile (std::vector<float>& values, double share)
+quantile (std::vector<float> values, double share)
 {
   if (values.empty ())
     return 0;
@@ -148,6 +145,46 @@ bool
 isQuantised (double of_8, double of_12, double of_16)
 {
   return of_12 > 5 * of_8 && of_16 < 1.3 * of_12;
+}
+
+double
+spacingOf (double distance_of_eighth)
+{
+  return distance_of_eighth * std::sqrt (pi / 8);
+}
+
+/** A quadric follows the more of the noise the larger it is against the spacing: a factor of sigma.
+  * \param[in] ratio of both */
+double
+whatQuadricsFollow (double ratio)
+{
+  const double bounded = std::min (ratio, 1.2);
+  return 1 + .3 * bounded + 1.2 * bounded * bounded;
+}
+
+/** \param[in] factor (distance of the eighth): of sigma where the points are as dense */
+template <typename Factor>
+double
+sigmaBy (const NoiseSample& sample, const Factor& factor)
+{
+  std::array<std::vector<float>, 3> variances;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+    for (std::size_t i = 0; i < variances.size (); ++i)
+      if (std::isfinite (residuals.variances[i])) {
+        const double f = factor (residuals.distance);
+        variances[i].push_back (static_cast<float> (f * f * residuals.variances[i]));
+      }
+  const auto& [of_8, of_12, of_16] = variances;
+  // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom. Edges spoil the upper ones, other sheets all
+  // but the lower ones.
+  const double lower_12 = quantile (of_12, .25) / .5758, lower_16 = quantile (of_16, .25) / .6737;
+  double lower_8 = quantile (of_8, .25) / .2877;
+  if (isQuantised (lower_8, lower_12, lower_16))
+    lower_8 = lower_12;
+  const double lower = extrapolated (lower_8, lower_12, .3, 2.5), lowest = extrapolated (lower_8, lower_12, .9, 2.5);
+  const double median = extrapolated (quantile (of_8, .5) / .6931, quantile (of_12, .5) / .891, .3, 2.5);
+  const double upper = extrapolated (quantile (of_8, .75) / 1.3863, quantile (of_16, .75) / 1.2549, .4, 3);
+  return std::sqrt (std::min ({1.1 * lower, 1.05 * median, std::max (upper, .75 * lowest)}));
 }
 } // namespace
 
@@ -174,9 +211,7 @@ sampleNodes (const Positions& nodes, std::uint64_t cloud_size, std::size_t sampl
 void
 NoiseSample::join (const NoiseSample& part)
 {
-  for (std::size_t i = 0; i < variances.size (); ++i)
-    variances[i].insert (variances[i].end (), part.variances[i].begin (), part.variances[i].end ());
-  distances.insert (distances.end (), part.distances.begin (), part.distances.end ());
+  of_nodes.insert (of_nodes.end (), part.of_nodes.begin (), part.of_nodes.end ());
   short_rows += part.short_rows;
 }
 
@@ -214,27 +249,22 @@ estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Executi
 }
 
 NoiseEstimate
-estimateNoise (NoiseSample sample)
+estimateNoise (const NoiseSample& sample)
 {
-  if (sample.short_rows > 3 * sample.distances.size ())
+  std::vector<float> distances;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+    if (residuals.distance > 0)
+      distances.push_back (residuals.distance);
+  const double spacing = spacingOf (quantile (distances, .5));
+  if (!(spacing > 0) || sample.short_rows > 3 * sample.of_nodes.size ())
     return {};
-  auto& [of_8, of_12, of_16] = sample.variances;
-  // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom. Edges spoil the upper ones, other sheets all
-  // but the lower ones.
-  const double lower_12 = quantile (of_12, .25) / .5758, lower_16 = quantile (of_16, .25) / .6737;
-  double lower_8 = quantile (of_8, .25) / .2877;
-  if (isQuantised (lower_8, lower_12, lower_16))
-    lower_8 = lower_12;
-  const double lower = extrapolated (lower_8, lower_12, .3, 2.5), lowest = extrapolated (lower_8, lower_12, .9, 2.5);
-  const double median = extrapolated (quantile (of_8, .5) / .6931, quantile (of_12, .5) / .891, .3, 2.5);
-  const double upper = extrapolated (quantile (of_8, .75) / 1.3863, quantile (of_16, .75) / 1.2549, .4, 3);
-  const double variance = std::min ({1.1 * lower, 1.05 * median, std::max (upper, .75 * lowest)});
-  const double spacing = quantile (sample.distances, .5) * std::sqrt (pi / 8);
-  if (!(spacing > 0))
-    return {};
-  // A quadric follows the more of the noise the larger it is against the spacing.
-  const double sigma = std::sqrt (variance), ratio = sigma / spacing;
-  return {static_cast<float> (sigma * (1 + .3 * ratio + 1.2 * ratio * ratio)), static_cast<float> (spacing)};
+  double sigma = sigmaBy (sample, [] (float) { return 1; });
+  for (int iteration = 0; iteration < 2; ++iteration) {
+    const double known = sigma * whatQuadricsFollow (sigma / spacing), usual = whatQuadricsFollow (known / spacing);
+    sigma =
+        sigmaBy (sample, [&] (float distance) { return whatQuadricsFollow (known / spacingOf (distance)) / usual; });
+  }
+  return {static_cast<float> (sigma * whatQuadricsFollow (sigma / spacing)), static_cast<float> (spacing)};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -18,8 +18,9 @@ constexpr int max_rounds = 6;
 constexpr int fine_k = 16;
 constexpr int max_k = 32;
 
-// Noise against spacing from which on it is much: the fitted normals are filtered; only large neighbourhoods serve.
-constexpr float filtering_ratio = .29f;
+constexpr int coarse_k = 24; // neighbourhoods of so many points are large ones
+
+// Noise against spacing from which on only large neighbourhoods serve.
 constexpr float coarse_ratio = .62f;
 
 /** How much is done in which round. A gain is what a step may cost: the covariance of the point after the first round with
@@ -28,6 +29,7 @@ struct Schedule
 {
   int fine_rounds; // with the smaller neighbourhood
   float gains[max_rounds];
+  float tolerance; // of the risk: a factor of the gains
   int solves[max_rounds];
   int averages;
   float fine_bandwidth; // of the update, in distances of the farthest neighbour; 1 in other rounds
@@ -41,15 +43,26 @@ noiseRatio (const RobustSmoothingOptions& options)
 }
 
 Schedule
-chooseSchedule (const RobustSmoothingOptions& options, float noise_ratio)
+chooseSchedule (const RobustSmoothingOptions& options)
 {
   if (options.fast)
-    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, {2, 1, 1, 1, 1, 1}, 2, 1, .06f};
-  if (options.k < 24)
-    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, {3, 2, 2, 2, 1, 1}, 3, 1, .05f};
-  if (noise_ratio >= coarse_ratio)
-    return {0, {.660f, .086f, .020f, .0079f, .0048f, .0034f}, {3, 2, 2, 2, 1, 1}, 3, 1, .05f};
-  return {2, {.665f, .066f, .049f, .0142f, .0084f, .0056f}, {3, 2, 2, 2, 1, 1}, 3, .7f, .05f};
+    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, 1.8f, {2, 1, 1, 1, 1, 1}, 3, 1, .06f};
+  if (options.k < coarse_k)
+    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, 1.5f, {3, 2, 2, 2, 1, 1}, 4, 1, .05f};
+  if (noiseRatio (options) >= coarse_ratio)
+    return {0, {.660f, .084f, .0202f, .0086f, .0052f, .0037f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, 1, .05f};
+  return {2, {.661f, .0745f, .0517f, .0139f, .0080f, .0051f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, .7f, .05f};
+}
+
+/** sigma_s of the pass over the fitted normals: what they scatter by the noise and not more, or curved surfaces become facets.
+  * 0: there is no pass. */
+float
+filteringSigma (const RobustSmoothingOptions& options, int round)
+{
+  const float noise_ratio = noiseRatio (options);
+  if (options.fast || options.k < coarse_k)
+    return noise_ratio > .29f ? .15f : 0;
+  return round > 0 ? std::clamp (.26f * noise_ratio, .02f, .15f) : 0;
 }
 } // namespace
 
@@ -85,8 +98,7 @@ public:
   , progress_ (execution)
   , positions_ (positions)
   , normals_ (normals)
-  , noise_ratio_ (noiseRatio (options))
-  , schedule_ (chooseSchedule (options, noise_ratio_))
+  , schedule_ (chooseSchedule (options))
   , start_ (startOf (positions))
   , other_ (graph.size ())
   , moved_ (graph.size (), 0.0f)
@@ -103,9 +115,12 @@ public:
       return of_normals;
     // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals too.
     const int first_fit = std::max (of_normals, 1 + (options.oriented ? of_normals : 0));
-    const int fit = 1, filter = noiseRatio (options) > filtering_ratio ? 1 : 0, update = 1;
-    return first_fit - fit +
-           options.rounds * (fit + filter + update + chooseSchedule (options, noiseRatio (options)).averages);
+    const Schedule schedule = chooseSchedule (options);
+    constexpr int fit = 1, update = 1;
+    int all = first_fit - fit;
+    for (int round = 0; round < options.rounds; ++round)
+      all += fit + (filteringSigma (options, round) > 0 ? 1 : 0) + update + schedule.averages;
+    return all;
   }
 
   void
@@ -116,8 +131,8 @@ public:
       const bool fine = round < schedule_.fine_rounds;
       k_ = static_cast<std::size_t> (std::min (options_.k, fine ? fine_k : max_k));
       fitNormals (round);
-      if (noise_ratio_ > filtering_ratio)
-        filterFitted ();
+      if (const float sigma_s = filteringSigma (options_, round); sigma_s > 0)
+        filterFitted (sigma_s);
       proposeSteps (fine);
       takeSteps (round);
       execution_.report ((round + 1.0) / options_.rounds);
@@ -145,20 +160,21 @@ private:
     step.by_normal = !first || options_.oriented;
     step.oriented = options_.oriented;
     step.residual_factor = residualFactor ();
-    step.ridge = .3f * std::clamp (.15f * noise_ratio_ * noise_ratio_, .003f, .01f);
+    const float noise_ratio = noiseRatio (options_);
+    step.ridge = .3f * std::clamp (.15f * noise_ratio * noise_ratio, .003f, .01f);
     step.fitted = other_.data ()->data ();
     forAllBlocks (kernels ().fit_normals, step, k_);
     normals_.swap (other_);
   }
 
-  /** Much noise: one bilateral-Gaussian pass over the normals. */
+  /** One bilateral-Gaussian pass over the normals. */
   void
-  filterFitted ()
+  filterFitted (float sigma_s)
   {
     NormalFilterStep step {};
     step.nodes = nodeArrays (positions_, normals_);
     step.weight = static_cast<int> (NormalWeight::GAUSSIAN);
-    step.normal_factor = 1 / (2 * .15f * .15f);
+    step.normal_factor = 1 / (2 * sigma_s * sigma_s);
     step.oriented = options_.oriented;
     step.filtered = other_.data ()->data ();
     forEachBlock (graph_, progress_, [&] (const BlockRows& block) {
@@ -202,7 +218,7 @@ private:
     control.first_round = round == 0;
     control.oriented = options_.oriented;
     control.weights = weights_.data ();
-    control.gain = 1.5f * variance * schedule_.gains[round];
+    control.gain = schedule_.tolerance * variance * schedule_.gains[round];
     control.max_displacement = options_.max_displacement;
     control.risks = risks_.data ();
     forAllBlocks (kernels ().step_risks, control, k);
@@ -233,7 +249,6 @@ private:
   Execution progress_; // reports where the round began, and so never falls
   Positions& positions_;
   Vectors& normals_;
-  float noise_ratio_;
   Schedule schedule_;
   std::size_t k_ = 0;
   Vectors start_; // as startOf has it

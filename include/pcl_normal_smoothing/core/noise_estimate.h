@@ -39,10 +39,16 @@ constexpr std::uint32_t noise_row_length = 16;
 /** What the sample of a cloud tells of its noise. The samples of its parts make that of the whole, in any order. */
 struct NoiseSample
 {
-  /** Residual variances of quadrics through the 8, 12 and 16 nearest points. */
-  std::array<std::vector<float>, 3> variances;
-  /** Distances of the eighth. */
-  std::vector<float> distances;
+  /** What quadrics leave about one point. */
+  struct Residuals
+  {
+    /** Variances, through the 8, 12 and 16 nearest points; NaN where there are fewer. */
+    std::array<float, 3> variances;
+    /** Of the eighth; 0 where there are fewer. */
+    float distance;
+  };
+
+  std::vector<Residuals> of_nodes;
   /** Nodes that do not count: their rows have fewer than noise_row_length points, though the cloud has as many. */
   std::size_t short_rows = 0;
 
@@ -70,6 +76,6 @@ sampleNoise (const NeighborGraph& graph,
 
 /** The estimate from the sample of the whole cloud; nothing where most of its rows are short. */
 NoiseEstimate
-estimateNoise (NoiseSample sample);
+estimateNoise (const NoiseSample& sample);
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -10,8 +10,8 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and
-  * |d.n|. */
+/** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and |d.n|.
+  * The first is bounded: an outlier, which goes the same way round after round, says nothing of the points around. */
 LANES_INLINE void
 stepRisks (const StepControl& control, const BlockRows& rows, int first)
 {
@@ -19,8 +19,9 @@ stepRisks (const StepControl& control, const BlockRows& rows, int first)
   const Lanes3 normal = load3 (control.nodes.normals, own), offset = load3OrZero (control.nodes.offset, own);
   const Lanes step = dot (load3 (control.proposed, own) - offset, normal);
   const Mask valid = normal.x == normal.x;
-  const Lanes moved = load1 (control.moved, own);
-  store2 (control.risks, own, {valid ? moved * step : splat (0), valid ? absolute (step) : splat (0)});
+  const Lanes bound = splat (3 * control.gain);
+  const Lanes product = minimum (maximum (load1 (control.moved, own) * step, -bound), bound);
+  store2 (control.risks, own, {valid ? product : splat (0), valid ? absolute (step) : splat (0)});
 }
 
 /** Weights for averaging over neighbours: near, and with a similar normal; from 0 to 15. */
@@ -80,7 +81,9 @@ takeSteps (const StepControl& control, const BlockRows& rows, int first)
   const Lanes3 offset = load3OrZero (control.nodes.offset, own), start = load3OrZero (control.start, own);
   const Lanes2 risk = load2 (control.risks, own);
   const Lanes q = 1.57079633f * (risk.y * risk.y);
-  const Lanes share = q > 0 ? minimum (maximum ((control.gain - risk.x) / q, splat (0)), splat (1)) : splat (0);
+  Lanes share = q > 0 ? minimum (maximum ((control.gain - risk.x) / q, splat (0)), splat (1)) : splat (0);
+  share *= share;
+  share *= share;
   // What is taken may stand where it was proposed.
   const Lanes3 step = load3Alone (control.proposed, own) - offset;
   const Lanes3 taken = start + capped ((offset + share * step) - start, control.max_displacement);
