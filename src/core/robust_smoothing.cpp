@@ -99,6 +99,7 @@ public:
   , positions_ (positions)
   , normals_ (normals)
   , schedule_ (chooseSchedule (options))
+  , all_normals_ (haveAllNormals (normals))
   , start_ (startOf (positions))
   , other_ (graph.size ())
   , moved_ (graph.size (), 0.0f)
@@ -176,6 +177,7 @@ private:
     step.weight = static_cast<int> (NormalWeight::GAUSSIAN);
     step.normal_factor = 1 / (2 * sigma_s * sigma_s);
     step.oriented = options_.oriented;
+    step.all_normals = all_normals_;
     step.filtered = other_.data ()->data ();
     forEachBlock (graph_, progress_, [&] (const BlockRows& block) {
       std::uint16_t distance_weights[NeighborGraph::block_size * max_k];
@@ -200,6 +202,7 @@ private:
     step.normal_factor = 1 / (2 * schedule_.sigma_s * schedule_.sigma_s);
     step.residual_factor = residualFactor ();
     step.oriented = options_.oriented;
+    step.all_normals = all_normals_;
     step.max_displacement = std::numeric_limits<float>::infinity ();
     step.moved = other_.data ()->data ();
     forAllBlocks (kernels ().update_points, step, k_);
@@ -250,6 +253,7 @@ private:
   Positions& positions_;
   Vectors& normals_;
   Schedule schedule_;
+  bool all_normals_; // no node is without one, now and later
   std::size_t k_ = 0;
   Vectors start_; // as startOf has it
   Vectors other_; // what the next stage writes: normals, or offsets
