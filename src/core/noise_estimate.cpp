@@ -154,12 +154,19 @@ spacingOf (double distance_of_eighth)
 }
 
 /** A quadric follows the more of the noise the larger it is against the spacing: a factor of sigma.
-  * \param[in] ratio of both */
+  * \param[in] ratio of sigma, as it is read, to the spacing */
 double
 whatQuadricsFollow (double ratio)
 {
-  const double bounded = std::min (ratio, 1.2);
-  return 1 + .3 * bounded + 1.2 * bounded * bounded;
+  return 1 + .3 * ratio + 1.2 * ratio * ratio;
+}
+
+/** How much too small quadrics make the noise look, by the ratio of the sigma that there is: of a point, not of the usual one, and
+  * on the large side. */
+double
+whatDensityHides (double ratio)
+{
+  return std::sqrt (1 + 2.2 * ratio * ratio);
 }
 
 /** \param[in] factor (distance of the eighth): of sigma where the points are as dense */
@@ -260,9 +267,8 @@ estimateNoise (const NoiseSample& sample)
     return {};
   double sigma = sigmaBy (sample, [] (float) { return 1; });
   for (int iteration = 0; iteration < 2; ++iteration) {
-    const double known = sigma * whatQuadricsFollow (sigma / spacing), usual = whatQuadricsFollow (known / spacing);
-    sigma =
-        sigmaBy (sample, [&] (float distance) { return whatQuadricsFollow (known / spacingOf (distance)) / usual; });
+    const double known = sigma * whatQuadricsFollow (sigma / spacing), usual = whatDensityHides (known / spacing);
+    sigma = sigmaBy (sample, [&] (float distance) { return whatDensityHides (known / spacingOf (distance)) / usual; });
   }
   return {static_cast<float> (sigma * whatQuadricsFollow (sigma / spacing)), static_cast<float> (spacing)};
 }

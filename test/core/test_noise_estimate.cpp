@@ -34,8 +34,9 @@ TEST (NoiseEstimateTest, ReadsTheNoiseOfKnownShapes)
   // Points of a Fibonacci sphere of radius 1 are sqrt (4 pi / n) apart, those of the others as they say.
   const double of_sphere = std::sqrt (4 * M_PI / 6000);
   for (const double noise : {0.05, 0.1, 0.2, 0.3, 0.5}) {
-    const std::pair<Shape, double> shapes[] = {
-        {sphere (6000, 1), of_sphere}, {planeGrid (80, 0.01f), 0.01}, {cube (40, 1), 1.0 / 40}};
+    const std::pair<Shape, double> shapes[] = {{sphere (6000, 1), of_sphere},
+                                               {planeGrid (80, 0.01f), 0.01},
+                                               {cube (40, 1), 1.0 / 40}};
     for (const auto& [shape, spacing] : shapes) {
       const double read = estimateOf (noisy (shape, noise * spacing)).sigma;
       EXPECT_GT (read, 0.75 * noise * spacing) << noise;
