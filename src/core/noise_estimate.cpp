@@ -166,7 +166,8 @@ whatQuadricsFollow (double ratio)
 double
 whatDensityHides (double ratio)
 {
-  return std::sqrt (1 + 2.2 * ratio * ratio);
+  const double bounded = std::min (ratio, 10.0); // nearly copies
+  return std::sqrt (1 + 2.2 * bounded * bounded);
 }
 
 /** \param[in] factor (distance of the eighth): of sigma where the points are as dense */
@@ -178,7 +179,7 @@ sigmaBy (const NoiseSample& sample, const Factor& factor)
   for (const NoiseSample::Residuals& residuals : sample.of_nodes)
     for (std::size_t i = 0; i < variances.size (); ++i)
       if (std::isfinite (residuals.variances[i])) {
-        const double f = factor (residuals.distance);
+        const double f = residuals.distance > 0 ? factor (residuals.distance) : 1; // copies of a point have no density
         variances[i].push_back (static_cast<float> (f * f * residuals.variances[i]));
       }
   const auto& [of_8, of_12, of_16] = variances;

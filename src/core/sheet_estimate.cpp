@@ -14,7 +14,7 @@ namespace core
 namespace
 {
 constexpr std::size_t sample_size = 1024;
-constexpr double min_share_beside = 0.02;
+constexpr double min_share_beside = 0.1;
 constexpr double min_peak_over_valley = 1.5;
 
 /** \param[in] values not empty */

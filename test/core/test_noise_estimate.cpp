@@ -45,6 +45,19 @@ TEST (NoiseEstimateTest, ReadsTheNoiseOfKnownShapes)
   }
 }
 
+TEST (NoiseEstimateTest, CopiesOfPointsAreNoNoise)
+{
+  const Vectors points = noisy (planeGrid (40, 0.01f), 0.002);
+  for (const std::size_t count : {4, 8}) { // of a tenth of the points
+    Vectors copies = points;
+    for (std::size_t i = 0; i < points.size (); i += 10)
+      copies.insert (copies.end (), count, points[i]);
+    const float read = estimateOf (copies).sigma;
+    EXPECT_GE (read, 0);
+    EXPECT_LT (read, 0.006) << count;
+  }
+}
+
 TEST (NoiseEstimateTest, ReadsTheSpacing)
 {
   EXPECT_NEAR (estimateOf (planeGrid (80, 0.01f).points).spacing, 0.01, 0.002);

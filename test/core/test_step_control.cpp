@@ -13,7 +13,7 @@ namespace
 using namespace pcl_normal_smoothing::core;
 using namespace test_support;
 
-/** Three points whose normals are z. */
+/** A few points whose normals are z. */
 class StepControlTest : public testing::Test
 {
 protected:
