@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/kd_tree.h>
-#include <pcl_normal_smoothing/core/node_blocks.h>
 #include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/quantile.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace pcl_normal_smoothing
 {
@@ -13,122 +11,7 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t sample_size = 4096;
-constexpr std::uint32_t row_length = noise_row_length;
 constexpr double pi = 3.14159265358979;
-
-std::uint32_t
-hashOf (const Eigen::Vector3f& point)
-{
-  std::uint32_t hash = 2166136261u;
-  for (int d = 0; d < 3; ++d) {
-    const float coordinate = point[d] + 0.0f; // -0 is 0
-    std::uint32_t bits;
-    std::memcpy (&bits, &coordinate, sizeof bits);
-    hash = (hash ^ bits) * 0x9E3779B1u;
-    hash = (hash ^ (hash >> 15)) * 0x85EBCA77u;
-    hash ^= hash >> 13;
-  }
-  return hash;
-}
-
-/** The neighbourhoods of the nodes in a sample, one after the other, each filled up with the node itself. */
-using SampleRows = std::vector<std::uint32_t>;
-
-SampleRows
-rowsOfGraph (const NeighborGraph& graph, const std::vector<std::uint32_t>& sample)
-{
-  SampleRows rows;
-  rows.reserve (sample.size () * row_length);
-  for (const std::uint32_t node : sample) {
-    const Row row = graph.row (node);
-    for (std::size_t j = 0; j < row_length; ++j)
-      rows.push_back (j < row.size () ? row[j] : node);
-  }
-  return rows;
-}
-
-/** As a graph of all would have them, which takes longer and more memory. */
-SampleRows
-searchedRows (const NeighborGraph& graph,
-              const Positions& nodes,
-              const std::vector<std::uint32_t>& sample,
-              const Execution& execution)
-{
-  const KdTree tree (nodes, graph.order (), execution.silent ());
-  SampleRows rows (sample.size () * row_length);
-  parallelFor (
-      sample.size (), execution,
-      [&] (std::size_t begin, std::size_t end) {
-        KdTree::Scratch scratch;
-        for (std::size_t i = begin; i < end; ++i) {
-          const std::uint32_t node = sample[i];
-          const auto row = rows.begin () + static_cast<std::ptrdiff_t> (i * row_length);
-          std::fill_n (row, row_length, node);
-          auto place = row + 1;
-          for (const Neighbor& neighbor : tree.search (nodes.base[node], nodes.offset[node], {row_length}, scratch))
-            if (tree.order ()[neighbor.slot] != node && place != row + row_length)
-              *place++ = tree.order ()[neighbor.slot];
-        }
-      },
-      64);
-  return rows;
-}
-
-/** The rows of 16 nodes side by side, as a graph keeps those of a block. */
-std::vector<std::uint32_t>
-blockOf (const SampleRows& rows, std::size_t begin)
-{
-  std::vector<std::uint32_t> block (row_length * NeighborGraph::block_size);
-  for (std::size_t lane = 0; lane < NeighborGraph::block_size; ++lane) {
-    const std::size_t first = std::min ((begin + lane) * row_length, rows.size () - row_length);
-    for (std::size_t j = 0; j < row_length; ++j)
-      block[j * NeighborGraph::block_size + lane] = rows[first + j];
-  }
-  return block;
-}
-
-NoiseSample
-residualsOf (const Positions& nodes,
-             const std::vector<std::uint32_t>& sample,
-             const SampleRows& rows,
-             const Execution& execution)
-{
-  constexpr std::array<std::size_t, 3> sizes = {8, 12, 16};
-  std::array<Numbers, 3> of_nodes;
-  for (auto& variances : of_nodes)
-    variances.resize (nodes.size ());
-  const NodeArrays arrays = nodeArrays (nodes, nodes.base);
-  const std::size_t block_count = (sample.size () + NeighborGraph::block_size - 1) / NeighborGraph::block_size;
-  parallelFor (
-      block_count, execution,
-      [&] (std::size_t begin, std::size_t end) {
-        for (std::size_t block = begin; block < end; ++block) {
-          const auto block_rows = blockOf (rows, block * NeighborGraph::block_size);
-          for (std::size_t i = 0; i < sizes.size (); ++i)
-            kernels ().residual_variances ({arrays, of_nodes[i].data ()}, {block_rows.data (), sizes[i]});
-        }
-      },
-      8);
-
-  NoiseSample residuals;
-  for (std::size_t s = 0; s < sample.size (); ++s) {
-    const std::uint32_t node = sample[s], eighth = rows[s * row_length + sizes[0] - 1];
-    residuals.of_nodes.push_back ({{of_nodes[0][node], of_nodes[1][node], of_nodes[2][node]},
-                                   eighth == node ? 0 : nodes.difference (node, eighth).norm ()});
-  }
-  return residuals;
-}
-
-double
-quantile (std::vector<float> values, double share)
-{
-  if (values.empty ())
-    return 0;
-  const auto at = values.begin () + static_cast<std::ptrdiff_t> (share * static_cast<double> (values.size ()));
-  std::nth_element (values.begin (), at, values.end ());
-  return *at;
-}
 
 /** The variance at no size of neighbourhood, from those at a small and a large one: curvature adds to the larger more. But
   * where it is many times the smaller, the neighbourhoods do not fit a quadric, and the difference tells nothing. */
@@ -139,6 +22,7 @@ extrapolated (double small, double large, double slope, double largest_excess)
   const double trust = std::clamp (2 - excess / (largest_excess * small + 1e-30), 0.0, 1.0);
   return std::max (small - slope * trust * excess, 0.2 * small);
 }
+
 /** Coordinates in steps as large as the noise (depth cameras): the eight nearest points often lie in one plane exactly, and
   * show far less than the larger neighbourhoods, which agree. Curvature makes them differ too. */
 bool
@@ -196,64 +80,10 @@ sigmaBy (const NoiseSample& sample, const Factor& factor)
 }
 } // namespace
 
-std::vector<std::uint32_t>
-sampleNodes (const Positions& nodes, std::uint64_t cloud_size, std::size_t sample_size, const Execution& execution)
-{
-  const double share =
-      static_cast<double> (sample_size) / static_cast<double> (std::max<std::uint64_t> (cloud_size, sample_size));
-  const auto limit = static_cast<std::uint32_t> (share * 4294967295.0);
-  constexpr std::size_t part_size = 1 << 16;
-  std::vector<std::vector<std::uint32_t>> parts (nodes.size () / part_size + 1);
-  const auto find = [&] (std::size_t begin, std::size_t end) {
-    for (std::size_t node = begin * part_size; node < std::min (end * part_size, nodes.size ()); ++node)
-      if (hashOf (nodes.base[node]) <= limit)
-        parts[node / part_size].push_back (static_cast<std::uint32_t> (node));
-  };
-  parallelFor (parts.size (), execution.silent (), find, 1);
-  std::vector<std::uint32_t> sample;
-  for (const auto& part : parts)
-    sample.insert (sample.end (), part.begin (), part.end ());
-  return sample;
-}
-
-void
-NoiseSample::join (const NoiseSample& part)
-{
-  of_nodes.insert (of_nodes.end (), part.of_nodes.begin (), part.of_nodes.end ());
-  short_rows += part.short_rows;
-}
-
-std::vector<std::uint32_t>
-noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size)
-{
-  return sampleNodes (nodes, cloud_size, sample_size, Execution (1));
-}
-
-NoiseSample
-sampleNoise (const NeighborGraph& graph,
-             const Positions& nodes,
-             const std::vector<std::uint32_t>& sample,
-             std::uint64_t cloud_size,
-             const Execution& execution)
-{
-  std::vector<std::uint32_t> with_rows;
-  for (const std::uint32_t node : sample)
-    if (graph.row (node).size () >= std::min<std::uint64_t> (row_length, cloud_size))
-      with_rows.push_back (node);
-  NoiseSample residuals = residualsOf (nodes, with_rows, rowsOfGraph (graph, with_rows), execution);
-  residuals.short_rows = sample.size () - with_rows.size ();
-  return residuals;
-}
-
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const std::vector<std::uint32_t> sample = sampleNodes (nodes, nodes.size (), sample_size, execution);
-  // A graph by radius, or of small neighbourhoods, does not show enough.
-  const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
-  if (is_enough)
-    return estimateNoise (sampleNoise (graph, nodes, sample, nodes.size (), execution));
-  return estimateNoise (residualsOf (nodes, sample, searchedRows (graph, nodes, sample, execution), execution));
+  return estimateNoise (sampleNoise (graph, nodes, execution));
 }
 
 NoiseEstimate

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/noise_sample.h>
+#include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/sheet_estimate.h>
 #include <pcl_normal_smoothing/core/sheet_normals.h>
 #include <pcl_normal_smoothing/core/sheet_test.h>
@@ -16,15 +17,6 @@ namespace
 constexpr std::size_t sample_size = 1024;
 constexpr double min_share_beside = 0.1;
 constexpr double min_peak_over_valley = 1.5;
-
-/** \param[in] values not empty */
-float
-median (std::vector<float>& values)
-{
-  const auto middle = values.begin () + static_cast<std::ptrdiff_t> (values.size () / 2);
-  std::nth_element (values.begin (), middle, values.end ());
-  return *middle;
-}
 
 template <typename Condition>
 std::vector<float>
@@ -81,19 +73,19 @@ SheetEstimate
 estimateSheets (SheetSample sample, float distance)
 {
   const std::vector<float>& heights = sample.heights;
-  std::vector<float> far = those (heights, [&] (float height) { return height > distance / 2; });
+  const std::vector<float> far = those (heights, [&] (float height) { return height > distance / 2; });
   if (static_cast<double> (sample.nodes_beside) < min_share_beside * static_cast<double> (sample.nodes) || far.empty ())
     return {};
-  const float gap = median (far);
+  const float gap = quantile (far, .5);
   const auto countAt = [&] (float place) {
     return std::count_if (heights.begin (), heights.end (),
                           [&] (float height) { return std::abs (height - place) < 0.1f * gap; });
   };
   if (static_cast<double> (countAt (gap)) <= min_peak_over_valley * static_cast<double> (countAt (gap / 2)))
     return {};
-  std::vector<float> near = those (heights, [&] (float height) { return height < gap / 2; });
+  const std::vector<float> near = those (heights, [&] (float height) { return height < gap / 2; });
   // Both points of a pair have noise.
-  return {gap, near.empty () ? 0 : median (near) / (0.6745f * std::sqrt (2.0f))};
+  return {gap, quantile (near, .5) / (0.6745f * std::sqrt (2.0f))};
 }
 
 SheetEstimate
