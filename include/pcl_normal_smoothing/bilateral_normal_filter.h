@@ -115,7 +115,9 @@ public:
 
   /** Filters the normals of setInputNormals into a cloud of their own, for point types that have none. Other than that as
     * filter().
-    * \param[out] normals one for every point of the input, curvature kept; empty on an error */
+    * \param[out] normals one for every point of the input, curvature kept; may be the cloud of setInputNormals. Where the run is
+    * cancelled they are those of setInputNormals. On an error (getErrorMessage), also where no input or no normals are set, the
+    * cloud of setInputNormals stays as it is, and any other output is empty */
   void
   filterNormals (pcl::PointCloud<pcl::Normal>& normals);
 

@@ -232,4 +232,53 @@ TYPED_TEST (FilterBadNormals, TheirLengthDoesNotMatterAndWhereThereIsNoneThePoin
     EXPECT_TRUE (i < 17 || i > 19 || samePoint (output[i], (*this->cloud_)[i])) << "point " << i;
   }
 }
+
+class FilterNormals : public FilterTest<BilateralNormalFilter<pcl::PointXYZ>>
+{
+protected:
+  /** Expects an error that says \a part of what is wrong, nothing in an output, and the input's normals where that is it. */
+  static void
+  expectErrorOfNormals (BilateralNormalFilter<pcl::PointXYZ>& filter,
+                        const NormalCloud::Ptr& normals,
+                        const std::string& part)
+  {
+    const NormalCloud before = *normals;
+    NormalCloud output = poisonedCloud<pcl::Normal> ();
+    for (NormalCloud* of_filter : {&output, normals.get ()}) {
+      filter.filterNormals (*of_filter);
+      EXPECT_TRUE (contains (filter.getErrorMessage (), part))
+          << "'" << filter.getErrorMessage () << "' without " << part;
+    }
+    expectEmpty (output);
+    expectSamePoints (*normals, before);
+  }
+};
+
+TEST_F (FilterNormals, InPlaceTheyAreThoseOfAnotherOutput)
+{
+  BilateralNormalFilter<pcl::PointXYZ> filter;
+  prepare (filter);
+  const NormalCloud::Ptr normals = makeNormals (normals_);
+  filter.setInputNormals (normals);
+  NormalCloud expected = poisonedCloud<pcl::Normal> ();
+  filter.filterNormals (expected);
+  ASSERT_EQ (expected.size (), 300u);
+  filter.filterNormals (*normals);
+  EXPECT_EQ (filter.getErrorMessage (), "");
+  expectSamePoints (*normals, expected);
+}
+
+TEST_F (FilterNormals, AnErrorIsSaidAndLeavesThoseInPlaceAsTheyAre)
+{
+  BilateralNormalFilter<pcl::PointXYZ> filter;
+  const NormalCloud::Ptr normals = makeNormals (normals_);
+  filter.setInputNormals (normals);
+  filter.setKSearch (10);
+  expectErrorOfNormals (filter, normals, "setInputCloud");
+  filter.setInputCloud (cloud_);
+  filter.setKSearch (-3);
+  expectErrorOfNormals (filter, normals, "-3");
+  filter.setInputCloud (nullptr);
+  expectErrorOfNormals (filter, normals, "setInputCloud"); // not what the run before had to say
+}
 } // namespace

@@ -5,6 +5,8 @@
 #include <pcl_normal_smoothing/impl/input_normals.hpp>
 #include <pcl_normal_smoothing/impl/search_settings.hpp>
 
+#include <utility>
+
 namespace pcl_normal_smoothing
 {
 template <typename PointT>
@@ -44,11 +46,10 @@ template <typename PointT>
 void
 BilateralNormalFilter<PointT>::filterNormals (pcl::PointCloud<pcl::Normal>& normals)
 {
-  normals.clear ();
-  if (!this->initCompute ())
-    return;
   pcl::PointCloud<pcl::Normal> result;
   const Outcome outcome = this->attempt (this->filter_name_, [&] {
+    if (!this->initCompute ())
+      this->failWithoutInput ();
     if (!input_normals_)
       throw core::Error ("filterNormals filters the normals of setInputNormals: call it first");
     result = *input_normals_;
@@ -59,9 +60,11 @@ BilateralNormalFilter<PointT>::filterNormals (pcl::PointCloud<pcl::Normal>& norm
                   reinterpret_cast<std::uint8_t*> (result.data ()));
   });
   if (outcome == Outcome::DONE)
-    normals = result;
+    normals = std::move (result);
   else if (outcome == Outcome::CANCELLED)
     normals = *input_normals_;
+  else if (&normals != input_normals_.get ())
+    normals.clear ();
   this->deinitCompute ();
 }
 } // namespace pcl_normal_smoothing
