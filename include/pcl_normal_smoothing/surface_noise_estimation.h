@@ -11,9 +11,10 @@ namespace pcl_normal_smoothing
 /** Tells how noisy a scan is: the standard deviation of its noise along the surface's normal, from what quadrics through
   * small neighbourhoods leave. NormalSmoothing uses the same estimate where setNoiseSigma gives none.
   *
-  * Looks at a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter. With
-  * setIndices the indexed points alone are the cloud. The 16 nearest points are searched, unless a graph or a larger k
-  * is set. */
+  * Looks at a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter. The 16
+  * nearest points are searched, unless a graph or a larger k is set. With setIndices the indexed points alone are the cloud:
+  * where these are not all that are finite, a search object (setSearchMethod) is given an unorganised copy of them, and a
+  * neighbour graph is refused. */
 template <typename PointT>
 class SurfaceNoiseEstimation : public pcl::PCLBase<PointT>, public SearchSettings<PointT>
 {
@@ -47,6 +48,11 @@ protected:
   }
 
 private:
+  /** The points that are looked at: the input itself where all finite ones are indexed, else a copy of the indexed.
+    * \throw core::Error where an index is out of range, or there would be a copy but a graph is set */
+  typename pcl::PointCloud<PointT>::ConstPtr
+  indexedPoints () const;
+
   core::NoiseEstimate estimate_;
 };
 } // namespace pcl_normal_smoothing

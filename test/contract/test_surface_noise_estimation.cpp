@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shapes.h"
+#include "searches.h"
 
 #include <pcl_normal_smoothing/normal_smoothing.h>
 #include <pcl_normal_smoothing/surface_noise_estimation.h>
@@ -56,6 +56,59 @@ TEST (SurfaceNoiseEstimationTest, IndexedPointsAloneAreTheCloud)
   noise.setIndices (indices);
   ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
   EXPECT_LT (noise.getSigma (), 0.01 * sigma);
+}
+
+/** Every third point of a cloud. */
+pcl::IndicesPtr
+everyThird (const Cloud& cloud)
+{
+  auto indices = pcl::make_shared<pcl::Indices> ();
+  for (std::size_t i = 0; i < cloud.size (); i += 3)
+    indices->push_back (static_cast<pcl::index_t> (i));
+  return indices;
+}
+
+TEST (SurfaceNoiseEstimationTest, IndexedPointsAreSearchedByEverySearch)
+{
+  const Cloud::Ptr cloud = noisyPlane ();
+  const pcl::IndicesPtr indices = everyThird (*cloud);
+  auto searches = test_support::userSearches<pcl::PointXYZ> ();
+  searches.push_back (nullptr); // the module's own
+  for (const auto& search : searches) {
+    SurfaceNoiseEstimation<pcl::PointXYZ> of_indexed, alone;
+    of_indexed.setInputCloud (cloud);
+    of_indexed.setIndices (indices);
+    alone.setInputCloud (pcl::make_shared<Cloud> (*cloud, *indices));
+    for (auto* noise : {&of_indexed, &alone}) {
+      noise->setSearchMethod (search);
+      ASSERT_TRUE (noise->compute ()) << noise->getErrorMessage ();
+    }
+    EXPECT_EQ (of_indexed.getSigma (), alone.getSigma ());
+    EXPECT_EQ (of_indexed.getSpacing (), alone.getSpacing ());
+  }
+}
+
+TEST (SurfaceNoiseEstimationTest, AGraphOfAllPointsIsRefusedWhereSomeAreIndexed)
+{
+  const Cloud::Ptr cloud = noisyPlane ();
+  SurfaceNoiseEstimation<pcl::PointXYZ> noise;
+  noise.setInputCloud (cloud);
+  noise.setNeighborGraph (buildNeighborGraph<pcl::PointXYZ> (cloud, 16));
+  ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+  const double expected = noise.getSigma ();
+  noise.setIndices (everyThird (*cloud));
+  EXPECT_FALSE (noise.compute ());
+  EXPECT_NE (noise.getErrorMessage ().find ("setIndices"), std::string::npos) << noise.getErrorMessage ();
+  EXPECT_NE (noise.getErrorMessage ().find ("2400 of 3600"), std::string::npos) << noise.getErrorMessage ();
+  auto all = pcl::make_shared<pcl::Indices> ();
+  for (std::size_t i = cloud->size (); i-- > 0;)
+    all->push_back (static_cast<pcl::index_t> (i));
+  cloud->emplace_back (std::numeric_limits<float>::quiet_NaN (), 0.0f, 0.0f); // not indexed
+  noise.setNeighborGraph (buildNeighborGraph<pcl::PointXYZ> (cloud, 16));
+  noise.setInputCloud (cloud);
+  noise.setIndices (all);
+  ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+  EXPECT_EQ (noise.getSigma (), expected);
 }
 
 TEST (SurfaceNoiseEstimationTest, PointsThatAreNotFiniteDoNotCount)

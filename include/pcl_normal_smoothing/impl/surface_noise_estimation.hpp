@@ -5,10 +5,32 @@
 #include <pcl_normal_smoothing/impl/search_settings.hpp>
 #include <pcl_normal_smoothing/surface_noise_estimation.h>
 
-#include <limits>
+#include <pcl/common/point_tests.h>
 
 namespace pcl_normal_smoothing
 {
+template <typename PointT>
+typename pcl::PointCloud<PointT>::ConstPtr
+SurfaceNoiseEstimation<PointT>::indexedPoints () const
+{
+  const std::vector<bool> selected = selectPoints (*this->indices_, this->input_->size ());
+  std::size_t left_out = 0; // those that are not finite do not count anyway
+  for (std::size_t i = 0; i < selected.size (); ++i)
+    left_out += !selected[i] && pcl::isXYZFinite ((*this->input_)[i]);
+  if (left_out == 0)
+    return this->input_;
+  if (this->neighbor_graph_)
+    throw core::Error ("setIndices leaves out " + std::to_string (left_out) + " of " +
+                       std::to_string (selected.size ()) +
+                       " points, but the neighbour graph is of all: call setNeighborGraph (nullptr), or set the "
+                       "indexed points as a cloud of their own with a graph of it");
+  auto points = pcl::make_shared<pcl::PointCloud<PointT>> ();
+  for (std::size_t i = 0; i < selected.size (); ++i)
+    if (selected[i])
+      points->push_back ((*this->input_)[i]);
+  return points;
+}
+
 template <typename PointT>
 bool
 SurfaceNoiseEstimation<PointT>::compute ()
@@ -17,13 +39,10 @@ SurfaceNoiseEstimation<PointT>::compute ()
   const Outcome outcome = this->attempt ("SurfaceNoiseEstimation", [this] {
     if (!this->initCompute ())
       throw core::Error ("no input cloud is set: call setInputCloud");
-    core::Positions cloud = readPositions (positionsOf (*this->input_));
-    const std::vector<bool> selected = selectPoints (*this->indices_, cloud.size ());
-    for (std::size_t i = 0; i < cloud.size (); ++i)
-      if (!selected[i])
-        cloud.base[i].setConstant (std::numeric_limits<float>::quiet_NaN ());
+    const typename pcl::PointCloud<PointT>::ConstPtr points = indexedPoints ();
+    const core::Positions cloud = readPositions (positionsOf (*points));
     const auto graph = this->obtainGraph (
-        "SurfaceNoiseEstimation", cloud, [this] { return this->input_; }, this->execution ().part (0, 0.9));
+        "SurfaceNoiseEstimation", cloud, [&] { return points; }, this->execution ().part (0, 0.9));
     estimate_ = core::estimateNoise (*graph, gather (cloud, graph->order ()), this->execution ().part (0.9, 1))
                     .inCloudUnit (cloud.unit);
     this->deinitCompute ();
