@@ -43,7 +43,7 @@ noiseOf (const CloudFile& noisy, const core::SmoothingOptions& used, const core:
   if (!used.robust) {
     const core::Positions cloud = readPositions (positionsOf (noisy));
     const auto graph = core::NeighborGraph::build (cloud, makeNeighborQuery (16, 0, 0), execution);
-    noise = core::estimateNoise (*graph, core::gather (cloud, graph->order ()), execution);
+    noise = core::estimateNoise (*graph, core::gather (cloud, graph->order ()), execution).inCloudUnit (cloud.unit);
   }
   return {{"sigma", noise.sigma}, {"spacing", noise.spacing}};
 }

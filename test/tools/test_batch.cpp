@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_graph.h"
 #include "tool_runner.h"
 
 #include <nlohmann/json.hpp>
@@ -156,4 +157,15 @@ TEST_F (Batch, ReportOfThePapersChainEstimatesTheNoise)
   const Json report = Json::parse (contentOf (path ("r.json")));
   EXPECT_GT (report["noise"]["sigma"], 0);
   EXPECT_EQ (report["parameters"]["normal_iterations"], 5);
+  for (const double scale : {0x1p-60, 0x1p60}) {
+    tools::CloudFile scaled = readPcdFile (path ("in.d/a.pcd"));
+    const VectorLayout layout = tools::positionsOf (scaled).layout;
+    for (std::size_t i = 0; i < scaled.size (); ++i)
+      layout.set (scaled.cloud->data.data (), i, scale * positionOf (scaled, i));
+    savePcd (scaled, path ("scaled.pcd"));
+    succeed ("pcl_normal_smoothing scaled.pcd out.pcd -preset paper -report scaled.json");
+    const Json of_scaled = Json::parse (contentOf (path ("scaled.json")));
+    for (const char* name : {"sigma", "spacing"})
+      EXPECT_FLOAT_EQ (of_scaled["noise"][name].get<float> () / float (scale), report["noise"][name]) << name << scale;
+  }
 }
