@@ -114,8 +114,8 @@ public:
     search_interval_ = iterations;
   }
 
-  /** The normals point to the same side everywhere (NormalSource::INPUT): nothing is flipped, and two close sheets stay
-    * apart. Default false. */
+  /** The normals point to the same side everywhere: nothing is flipped, and two close sheets stay apart. With
+    * NormalSource::INPUT only: estimated normals have arbitrary signs, so that with them the run is an error. Default false. */
   void
   setNormalsOriented (bool oriented)
   {

@@ -50,6 +50,10 @@ check (const SmoothingOptions& options)
 {
   check (options.filter);
   check (options.update);
+  const bool oriented = options.filter.oriented || options.update.oriented || options.rounds.oriented;
+  if (oriented && options.normals != NormalSource::INPUT)
+    throw Error ("the normals are called oriented, but those that are estimated have arbitrary signs: "
+                 "read oriented ones from the input (NormalSource::INPUT), or do not call them oriented");
   RobustSmoothingOptions rounds = options.rounds;
   rounds.noise.sigma = std::max (rounds.noise.sigma, 0.0f); // below 0 means that it is to be estimated
   rounds.noise.spacing = std::max (rounds.noise.spacing, 0.0f);
@@ -69,8 +73,7 @@ float
 SmoothingPreparation::sheetTestDistance (const NoiseEstimate& noise, const SmoothingOptions& options)
 {
   const NoiseEstimate known = knownNoise (noise, options);
-  const bool oriented = options.rounds.oriented && options.normals == NormalSource::INPUT;
-  if (!options.robust || oriented || options.rounds.sheet_distance >= 0 || !(known.sigma > 0))
+  if (!options.robust || options.rounds.oriented || options.rounds.sheet_distance >= 0 || !(known.sigma > 0))
     return std::numeric_limits<float>::infinity ();
   return std::min (sheet_sigmas * known.sigma, test_spacings * known.spacing);
 }
@@ -92,8 +95,7 @@ SmoothingPreparation::setSheetDistance (const NoiseEstimate& noise,
 SheetSeparationOptions
 SmoothingPreparation::separation (const SmoothingOptions& options, const Vectors& normals)
 {
-  const bool oriented = options.rounds.oriented && options.normals == NormalSource::INPUT;
-  return {options.rounds.sheet_distance, oriented ? &normals : nullptr};
+  return {options.rounds.sheet_distance, options.rounds.oriented ? &normals : nullptr};
 }
 
 NoiseEstimate

@@ -207,6 +207,19 @@ TEST_F (SmoothingParameters, EachHasItsEffect)
   expectEffect ([] (auto& filter) { filter.setSeed (9); }, hough);
 }
 
+TEST_F (SmoothingParameters, EstimatedNormalsAreNotOriented)
+{
+  for (const SmoothingPreset preset : {SmoothingPreset::DEFAULT, SmoothingPreset::FAST, SmoothingPreset::PAPER}) {
+    Smoothing filter;
+    prepare (filter);
+    filter.setPreset (preset);
+    filter.setNormalsOriented (true);
+    expectError (filter, "NormalSource::INPUT");
+    filter.setNormalSource (NormalSource::INPUT);
+    EXPECT_EQ (run (filter).size (), 300u);
+  }
+}
+
 TEST_F (SmoothingParameters, ExplicitSettersHoldOverAPresetInAnyOrder)
 {
   Smoothing before, after;

@@ -30,7 +30,7 @@ struct SmoothingOptions
   inUnit (double unit) const;
 };
 
-/** \throw Error where an option is out of range */
+/** \throw Error where an option is out of range, or normals are oriented that are to be estimated: their signs are arbitrary */
 void
 check (const SmoothingOptions& options);
 
@@ -38,7 +38,7 @@ check (const SmoothingOptions& options);
   * and what follows from it. Nothing changes for the paper's chain.
   * \param[in] normals read only for NormalSource::INPUT
   * \param[in,out] graph on return without neighbours on other sheets
-  * \param[in,out] options on return without anything to estimate; given again, they give the same graph */
+  * \param[in,out] options that pass check; on return without anything to estimate; given again, they give the same graph */
 void
 prepareSmoothing (const Positions& positions,
                   const Vectors& normals,
