@@ -102,7 +102,8 @@ private:
   std::vector<std::uint32_t> nodes_;
 };
 
-/** Writes the row of \a node, of sheet_row_length, from the neighbours of its neighbours on its own sheet.
+/** Writes the row of \a node, of sheet_row_length, from the neighbours of its neighbours on its own sheet: the first
+  * sheet_row_length of each, or long rows would take their length squared in time and memory.
   * \param found for reuse */
 void
 writeOwnSheet (const NeighborGraph& graph,
@@ -113,15 +114,16 @@ writeOwnSheet (const NeighborGraph& graph,
                std::uint32_t* out)
 {
   const Row row = graph.row (node);
+  const std::size_t length = std::min (row.size (), sheet_row_length);
   std::size_t most = 0;
-  for (std::size_t j = 0; j < row.size (); ++j)
-    most += graph.blockLength (row[j] / NeighborGraph::block_size);
+  for (std::size_t j = 0; j < length; ++j)
+    most += std::min<std::size_t> (graph.blockLength (row[j] / NeighborGraph::block_size), sheet_row_length);
   found.clear (most);
-  for (std::size_t j = 0; j < row.size (); ++j) {
+  for (std::size_t j = 0; j < length; ++j) {
     if (j > 0 && test.isOther (node, row[j], evidence_to_drop))
       continue;
     const Row further = graph.row (row[j]);
-    for (std::size_t t = 0; t < further.size (); ++t)
+    for (std::size_t t = 0; t < std::min (further.size (), sheet_row_length); ++t)
       found.insert (further[t]);
   }
 
@@ -129,7 +131,7 @@ writeOwnSheet (const NeighborGraph& graph,
   for (const std::uint32_t other : found.nodes ())
     if (other != node && !test.isOther (node, other, evidence_to_drop))
       own_sheet.push_back ({squaredLength (positions.difference (node, other)), graph.order ()[other], other});
-  const std::size_t size = std::min ({own_sheet.size (), row.size () - 1, sheet_row_length - 1});
+  const std::size_t size = std::min (own_sheet.size (), length - 1);
   const auto end = own_sheet.begin () + static_cast<std::ptrdiff_t> (size);
   std::nth_element (own_sheet.begin (), end, own_sheet.end ());
   std::sort (own_sheet.begin (), end);

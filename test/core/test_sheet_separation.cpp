@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace
@@ -79,6 +80,26 @@ TEST (SheetSeparationTest, ChangedRowsAreFullAndInOrder)
       ASSERT_LE (squaredLength (sheets.nodes.difference (node, row[j])),
                  squaredLength (sheets.nodes.difference (node, row[j + 1])));
   }
+}
+
+TEST (SheetSeparationTest, NeighboursPastThe32ndDoNotMatter)
+{
+  const Positions cloud = asPositions (withNormalNoise (parallelSheets (40, spacing, 1.2f * spacing), 8));
+  const Execution execution (2);
+  const auto rows_of = [&] (std::uint32_t k, bool separate) {
+    const NeighborGraph::ConstPtr graph = NeighborGraph::build (cloud, {k}, execution);
+    const Positions nodes = gather (cloud, graph->order ());
+    return rowsByPoint (separate ? *separateSheets (graph, nodes, {4 * noise}, execution) : *graph);
+  };
+  const auto searched = rows_of (32, false), expected = rows_of (32, true), of_long = rows_of (150, true);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < cloud.size (); ++i) {
+    const bool same = expected[i] == searched[i];
+    changed += !same;
+    ASSERT_EQ (of_long[i].size (), same ? 150u : expected[i].size ()) << i;
+    EXPECT_TRUE (std::equal (expected[i].begin (), expected[i].end (), of_long[i].begin ())) << i;
+  }
+  EXPECT_GT (changed, cloud.size () / 2);
 }
 
 TEST (SheetSeparationTest, OneSheetStaysAsItIs)

@@ -25,7 +25,7 @@ separationDepth (const SheetSeparationOptions& options);
 /** Neighbourhoods that keep to one sheet. A node three of whose neighbours lie on another sheet takes in their place the
   * nearest points of its own among the neighbours of its neighbours. Normals are those of the eight nearest, each node then
   * taking the one of its neighbourhood that most of the points fit: where two sheets are as close as the points, many a
-  * plane fitted to the nearest of both is wrong, but hardly all.
+  * plane fitted to the nearest of both is wrong, but hardly all. Of every row the first 32 points count.
   * \return \a graph itself where nothing changes; else one whose changed rows hold at most 32 points */
 NeighborGraph::ConstPtr
 separateSheets (const NeighborGraph::ConstPtr& graph,
