@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/smoothing_settings.h>
+
+#include <string>
 
 namespace pcl_normal_smoothing
 {
@@ -35,6 +38,16 @@ overwrite (Option& option, const std::optional<Set>& set)
   if (set)
     option = static_cast<Option> (*set);
 }
+
+/** Below 0 a length is to be estimated, which is nothing to set.
+  * \throw core::Error naming the \a setter, where a value was set that is no length */
+void
+checkLength (const std::optional<double>& set, const std::string& name, const std::string& setter)
+{
+  if (set && !(*set >= 0))
+    throw core::Error (name + " is " + std::to_string (*set) + ": give " + setter +
+                       " a length of at least 0, or do not call it and have it estimated");
+}
 } // namespace
 
 core::SmoothingOptions
@@ -54,6 +67,11 @@ SmoothingSettings::options () const
   overwrite (options.rounds.rounds, point_iterations_);
   overwrite (options.update.max_displacement, max_displacement_);
   overwrite (options.rounds.max_displacement, max_displacement_);
+  if (options.robust) { // the chain has no use for them
+    checkLength (noise_sigma_, "the noise's sigma", "setNoiseSigma");
+    checkLength (point_spacing_, "the spacing", "setPointSpacing");
+    checkLength (sheet_distance_, "the sheet distance", "setSheetDistance");
+  }
   overwrite (options.rounds.noise.sigma, noise_sigma_);
   overwrite (options.rounds.noise.spacing, point_spacing_);
   overwrite (options.rounds.sheet_distance, sheet_distance_);

@@ -99,8 +99,8 @@ public:
     point_iterations_ = iterations;
   }
 
-  /** No point ends farther from where it began, in the cloud's unit, range > 0. Default: five times the noise in rounds,
-    * no limit in the chain. */
+  /** No point ends farther from where it began, in the cloud's unit, range > 0. Default, and where it is infinity: five times
+    * the noise in rounds, no limit in the chain. */
   void
   setMaxDisplacement (double distance)
   {
@@ -153,7 +153,8 @@ public:
     seed_ = seed;
   }
 
-  /** The preset with all that was set explicitly; what the cloud has to tell is below 0. */
+  /** The preset with all that was set explicitly; what the cloud has to tell is below 0.
+    * \throw core::Error where the noise, the spacing or the sheet distance was set to what is no length, in rounds */
   core::SmoothingOptions
   options () const;
 

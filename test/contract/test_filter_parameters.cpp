@@ -220,6 +220,21 @@ TEST_F (SmoothingParameters, EstimatedNormalsAreNotOriented)
   }
 }
 
+TEST_F (SmoothingParameters, OutOfRangeTheyAreRefused)
+{
+  expectRefused ([] (auto& filter) { filter.setNoiseSigma (-5); }, "setNoiseSigma");
+  expectRefused ([] (auto& filter) { filter.setNoiseSigma (-5); }, "-5.0");
+  expectRefused ([] (auto& filter) { filter.setNoiseSigma (nan_float); }, "nan");
+  expectRefused ([] (auto& filter) { filter.setPointSpacing (-1); }, "-1.0");
+  expectRefused ([] (auto& filter) { filter.setSheetDistance (-1); }, "-1.0");
+  Smoothing chain; // has no noise to know: what it says that it used may be set
+  prepare (chain);
+  chain.setNormalIterations (1);
+  run (chain);
+  chain.setNoiseSigma (chain.usedOptions ().rounds.noise.sigma);
+  run (chain);
+}
+
 TEST_F (SmoothingParameters, ExplicitSettersHoldOverAPresetInAnyOrder)
 {
   Smoothing before, after;
