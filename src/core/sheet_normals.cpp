@@ -37,7 +37,7 @@ voteAmong (const Positions& positions, const Vectors& candidates, float distance
 {
   NormalVoteStep step {};
   step.nodes = nodeArrays (positions, candidates);
-  // Twice the noise, of which the sheet distance is four times.
+  // exp (-h^2 / (2 (distance / 2)^2)) of a height h.
   step.height_factor = 2 / std::max (distance * distance, std::numeric_limits<float>::min () * 1e8f);
   step.elected = elected.data ()->data ();
   return step;

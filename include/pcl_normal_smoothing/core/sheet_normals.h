@@ -14,7 +14,7 @@ nodesInRows (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes
 /** Normals that hold where another sheet of the surface is as close as the points: those of the eight nearest, each node then
   * taking the one of its neighbourhood that most of the points fit. Many a plane fitted to the nearest of both sheets is
   * wrong, but hardly all.
-  * \param[in] distance of the sheets: what is a quarter of it from a plane fits
+  * \param[in] distance of the sheets: a point counts by a Gaussian of its height over the plane, of half of it
   * \param[in] nodes that get one; null: all */
 Vectors
 electNormals (const NeighborGraph& graph,
