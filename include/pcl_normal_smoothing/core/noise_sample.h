@@ -18,7 +18,8 @@ struct NoiseSample
   /** What quadrics leave about one point. */
   struct Residuals
   {
-    /** Variances, through the 8, 12 and 16 nearest points; NaN where there are fewer. */
+    /** Variances, through the 8, 12 and 16 nearest points, or all where there are fewer; NaN where these are fewer than seven or
+      * all in one place. */
     std::array<float, 3> variances;
     /** Of the eighth; 0 where there are fewer. */
     float distance;
