@@ -54,7 +54,7 @@ std::string
 limitOf (const core::SmoothingOptions& method)
 {
   if (method.robust)
-    return "5 noise_sigma";
+    return "5 noise_sigma, the largest";
   return std::isfinite (method.update.max_displacement) ? textOf (method.update.max_displacement) : "no limit";
 }
 
@@ -166,6 +166,8 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
   options.add ("-noise_sigma", "S", "standard deviation of the noise along the normal, in the cloud's unit, for rounds",
                "estimated from the cloud",
                numberOption (0, limit, [&] (double sigma) { settings.setNoiseSigma (sigma); }));
+  options.add ("-noise_varies", "0|1", "1: the noise may differ from place to place, sigma is its median, for rounds",
+               "1; 0 with -noise_sigma", switchOption ([&] (bool varies) { settings.setNoiseVaries (varies); }));
   options.add ("-point_spacing", "D", "distance between neighbouring points, in the cloud's unit, for rounds",
                "estimated from the cloud", numberOption (0, limit, [&] (double d) { settings.setPointSpacing (d); }));
   const OptionReader length = numberOption (0, limit, [&] (double d) { settings.setSheetDistance (d); });
@@ -264,8 +266,9 @@ asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const S
     line += " -max_radius " + textOf (static_cast<float> (search.max_radius));
   if (method.robust)
     line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " +
-            textOf (method.rounds.noise.sigma) + " -point_spacing " + textOf (method.rounds.noise.spacing) +
-            " -sheet_distance " + lengthOrNone (method.rounds.sheet_distance) +
+            textOf (method.rounds.noise.sigma) + " -noise_varies " + (method.rounds.noise.field.isEven () ? "0" : "1") +
+            " -point_spacing " + textOf (method.rounds.noise.spacing) + " -sheet_distance " +
+            lengthOrNone (method.rounds.sheet_distance) +
             optionIfFinite (" -max_displacement ", method.rounds.max_displacement);
   else
     line += " -weights " + wordFor (weights, method.filter.weight) + " -mixed " +

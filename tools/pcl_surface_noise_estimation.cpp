@@ -31,11 +31,15 @@ class SurfaceNoiseEstimationTool : public tools::Tool
     const tools::CloudGraph cloud = tools::searchNeighbors (file, search_.query (standard_k), execution.part (0, 0.9));
     const core::NoiseEstimate noise =
         core::estimateNoise (*cloud.graph, cloud.nodes, execution.part (0.9, 1)).inCloudUnit (cloud.nodes.unit);
-    if (noise.spacing > 0)
-      std::printf ("noise sigma %.9g, spacing %.9g, in the cloud's unit: noise of %.3f spacings\n", noise.sigma,
-                   noise.spacing, noise.sigma / noise.spacing);
-    else
+    if (!(noise.spacing > 0)) {
       std::printf ("no noise to be seen: neighbourhoods have fewer than 8 points or no extent\n");
+      return;
+    }
+    std::printf ("noise sigma %.9g, spacing %.9g, in the cloud's unit: noise of %.3f spacings\n", noise.sigma,
+                 noise.spacing, noise.sigma / noise.spacing);
+    if (!noise.field.isEven ())
+      std::printf ("it varies from place to place: sigma from %.3g to %.3g\n",
+                   noise.sigma * noise.field.smallestFactor (), noise.sigma * noise.field.largestFactor ());
   }
 
   tools::SearchOptions search_;

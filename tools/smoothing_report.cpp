@@ -45,7 +45,10 @@ noiseOf (const CloudFile& noisy, const core::SmoothingOptions& used, const core:
     const auto graph = core::NeighborGraph::build (cloud, makeNeighborQuery (16, 0, 0), execution);
     noise = core::estimateNoise (*graph, core::gather (cloud, graph->order ()), execution).inCloudUnit (cloud.unit);
   }
-  return {{"sigma", noise.sigma}, {"spacing", noise.spacing}};
+  return {{"sigma", noise.sigma},
+          {"smallest", noise.sigma * noise.field.smallestFactor ()},
+          {"largest", noise.sigma * noise.field.largestFactor ()},
+          {"spacing", noise.spacing}};
 }
 
 Json

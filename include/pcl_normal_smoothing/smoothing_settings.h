@@ -100,7 +100,7 @@ public:
   }
 
   /** No point ends farther from where it began, in the cloud's unit, range > 0. Default, and where it is infinity: five times
-    * the noise in rounds, no limit in the chain. */
+    * the largest noise in rounds, no limit in the chain. */
   void
   setMaxDisplacement (double distance)
   {
@@ -128,6 +128,14 @@ public:
   setNoiseSigma (double sigma)
   {
     noise_sigma_ = sigma;
+  }
+
+  /** The noise may differ from place to place, as that of scanners does: sigma is then its median over the points, and the cloud
+    * tells how it varies. For rounds. Default: true, but false where setNoiseSigma gives one sigma for all. */
+  void
+  setNoiseVaries (bool varies)
+  {
+    noise_varies_ = varies;
   }
 
   /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds. Default: estimated. */
@@ -190,6 +198,7 @@ private:
   std::optional<int> point_iterations_;
   std::optional<double> max_displacement_;
   std::optional<double> noise_sigma_;
+  std::optional<bool> noise_varies_;
   std::optional<double> point_spacing_;
   std::optional<double> sheet_distance_;
   int search_interval_ = 0;

@@ -26,11 +26,19 @@ public:
   bool
   compute ();
 
-  /** Standard deviation of the noise, in the cloud's unit; 0 before compute. */
+  /** Standard deviation of the noise, in the cloud's unit; where it varies, the median over the points. 0 before compute. */
   double
   getSigma () const
   {
     return estimate_.sigma;
+  }
+
+  /** Standard deviation of the noise around \a place, both in the cloud's unit: getSigma everywhere, unless the cloud shows
+    * that its noise varies, as that of scanners does. 0 before compute. */
+  double
+  getSigmaAt (const Eigen::Vector3f& place) const
+  {
+    return estimate_.sigma * estimate_.field.factorAt (place);
   }
 
   /** Distance between neighbouring points (the median), in the cloud's unit; 0 before compute. */

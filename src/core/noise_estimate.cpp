@@ -54,29 +54,85 @@ whatDensityHides (double ratio)
   return std::sqrt (1 + 2.2 * bounded * bounded);
 }
 
-/** \param[in] factor (distance of the eighth): of sigma where the points are as dense */
-template <typename Factor>
-double
-sigmaBy (const NoiseSample& sample, const Factor& factor)
+/** Of sigma, one for every point of a sample. */
+using Factors = std::vector<double>;
+
+/** What turns the noise that a point shows into that of a place as dense as the cloud is, and with its usual noise. */
+Factors
+correctionsOf (const NoiseSample& sample, const NoiseEstimate& noise)
 {
-  std::array<std::vector<float>, 3> variances;
-  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+  const double usual = whatDensityHides (noise.sigma / noise.spacing);
+  Factors factors;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes) {
+    const double local = noise.field.factorAt (residuals.place);
+    const double hidden = whatDensityHides (noise.sigma * local / spacingOf (residuals.distance)) / usual;
+    factors.push_back ((residuals.distance > 0 ? hidden : 1) / local); // copies of a point have no density
+  }
+  return factors;
+}
+
+/** Those through the 8, 12 and 16 nearest. */
+using Variances = std::array<std::vector<float>, 3>;
+
+Variances
+corrected (const NoiseSample& sample, const Factors& factors)
+{
+  Variances variances;
+  for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
     for (std::size_t i = 0; i < variances.size (); ++i)
-      if (std::isfinite (residuals.variances[i])) {
-        const double f = residuals.distance > 0 ? factor (residuals.distance) : 1; // copies of a point have no density
-        variances[i].push_back (static_cast<float> (f * f * residuals.variances[i]));
-      }
+      if (const float variance = sample.of_nodes[s].variances[i]; std::isfinite (variance))
+        variances[i].push_back (static_cast<float> (factors[s] * factors[s] * variance));
+  return variances;
+}
+
+// Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom.
+double
+lowerQuartile (const Variances& variances, std::size_t i)
+{
+  constexpr std::array<double, 3> of_chi_square = {.2877, .5758, .6737};
+  return quantile (variances[i], .25) / of_chi_square[i];
+}
+
+/** Which neighbourhoods tell most of the noise alone. */
+std::size_t
+smallestToTrust (const Variances& variances)
+{
+  return isQuantised (lowerQuartile (variances, 0), lowerQuartile (variances, 1), lowerQuartile (variances, 2)) ? 1 : 0;
+}
+
+/** Edges spoil the upper quantiles, other sheets all but the lower ones. */
+double
+sigmaBy (const Variances& variances)
+{
+  const double lower_8 = lowerQuartile (variances, smallestToTrust (variances)),
+               lower_12 = lowerQuartile (variances, 1);
   const auto& [of_8, of_12, of_16] = variances;
-  // Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom. Edges spoil the upper ones, other sheets all
-  // but the lower ones.
-  const double lower_12 = quantile (of_12, .25) / .5758, lower_16 = quantile (of_16, .25) / .6737;
-  double lower_8 = quantile (of_8, .25) / .2877;
-  if (isQuantised (lower_8, lower_12, lower_16))
-    lower_8 = lower_12;
   const double lower = extrapolated (lower_8, lower_12, .3, 2.5), lowest = extrapolated (lower_8, lower_12, .9, 2.5);
   const double median = extrapolated (quantile (of_8, .5) / .6931, quantile (of_12, .5) / .891, .3, 2.5);
   const double upper = extrapolated (quantile (of_8, .75) / 1.3863, quantile (of_16, .75) / 1.2549, .4, 3);
   return std::sqrt (std::min ({1.1 * lower, 1.05 * median, std::max (upper, .75 * lowest)}));
+}
+
+NoiseField
+fieldOf (const NoiseSample& sample, const NoiseEstimate& noise)
+{
+  const Factors factors = correctionsOf (sample, noise);
+  const std::size_t size = smallestToTrust (corrected (sample, factors));
+  std::vector<LocalNoise> local;
+  for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
+    if (const float variance = sample.of_nodes[s].variances[size]; std::isfinite (variance))
+      local.push_back ({sample.of_nodes[s].place, static_cast<float> (factors[s] * factors[s] * variance)});
+  return estimateNoiseField (local, noise.spacing, noise.sigma / noise.spacing);
+}
+
+/** \param[in,out] noise, its spacing and field known */
+void
+estimateSigma (const NoiseSample& sample, int iterations, NoiseEstimate& noise)
+{
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    const double sigma = sigmaBy (corrected (sample, correctionsOf (sample, noise)));
+    noise.sigma = static_cast<float> (sigma * whatQuadricsFollow (sigma / noise.spacing));
+  }
 }
 } // namespace
 
@@ -96,12 +152,13 @@ estimateNoise (const NoiseSample& sample)
   const double spacing = spacingOf (quantile (distances, .5));
   if (!(spacing > 0) || sample.short_rows > 3 * sample.of_nodes.size ())
     return {};
-  double sigma = sigmaBy (sample, [] (float) { return 1; });
-  for (int iteration = 0; iteration < 2; ++iteration) {
-    const double known = sigma * whatQuadricsFollow (sigma / spacing), usual = whatDensityHides (known / spacing);
-    sigma = sigmaBy (sample, [&] (float distance) { return whatDensityHides (known / spacingOf (distance)) / usual; });
-  }
-  return {static_cast<float> (sigma * whatQuadricsFollow (sigma / spacing)), static_cast<float> (spacing)};
+  NoiseEstimate noise;
+  noise.spacing = static_cast<float> (spacing);
+  estimateSigma (sample, 3, noise);
+  noise.field = fieldOf (sample, noise);
+  if (!noise.field.isEven ())
+    estimateSigma (sample, 3, noise);
+  return noise;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -112,7 +112,8 @@ residualsOf (const Positions& nodes,
   for (std::size_t s = 0; s < sample.size (); ++s) {
     const std::uint32_t node = sample[s], eighth = rows[s * row_length + sizes[0] - 1];
     residuals.of_nodes.push_back ({{of_nodes[0][node], of_nodes[1][node], of_nodes[2][node]},
-                                   eighth == node ? 0 : nodes.difference (node, eighth).norm ()});
+                                   eighth == node ? 0 : nodes.difference (node, eighth).norm (),
+                                   nodes.base[node]});
   }
   return residuals;
 }
@@ -157,7 +158,8 @@ sampleNoise (const NeighborGraph& graph, const Positions& nodes, const Execution
   const std::vector<std::uint32_t> sample = sampleNodes (nodes, nodes.size (), sample_size, execution);
   // A graph by radius, or of small neighbourhoods, does not show enough.
   const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
-  return residualsOf (nodes, sample, is_enough ? rowsOfGraph (graph, sample) : searchedRows (graph, nodes, sample, execution),
+  return residualsOf (nodes, sample,
+                      is_enough ? rowsOfGraph (graph, sample) : searchedRows (graph, nodes, sample, execution),
                       execution);
 }
 

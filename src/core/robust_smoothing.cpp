@@ -3,6 +3,7 @@
 #include <pcl_normal_smoothing/core/node_blocks.h>
 #include <pcl_normal_smoothing/core/normal_filter.h>
 #include <pcl_normal_smoothing/core/robust_smoothing.h>
+#include <pcl_normal_smoothing/core/round_schedule.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,60 +13,6 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-namespace
-{
-constexpr int max_rounds = 6;
-constexpr int fine_k = 16;
-constexpr int max_k = 32;
-
-constexpr int coarse_k = 24; // neighbourhoods of so many points are large ones
-
-// Noise against spacing from which on only large neighbourhoods serve.
-constexpr float coarse_ratio = .62f;
-
-/** How much is done in which round. A gain is what a step may cost: the covariance of the point after the first round with
-  * the step, on a plane of pure noise, in variances of the noise. */
-struct Schedule
-{
-  int fine_rounds; // with the smaller neighbourhood
-  float gains[max_rounds];
-  float tolerance; // of the risk: a factor of the gains
-  int solves[max_rounds];
-  int averages;
-  float fine_bandwidth; // of the update, in distances of the farthest neighbour; 1 in other rounds
-  float sigma_s;        // of the update
-};
-
-float
-noiseRatio (const RobustSmoothingOptions& options)
-{
-  return options.noise.spacing > 0 ? options.noise.sigma / options.noise.spacing : 0;
-}
-
-Schedule
-chooseSchedule (const RobustSmoothingOptions& options)
-{
-  if (options.fast)
-    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, 1.8f, {2, 1, 1, 1, 1, 1}, 3, 1, .06f};
-  if (options.k < coarse_k)
-    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, 1.5f, {3, 2, 2, 2, 1, 1}, 4, 1, .05f};
-  if (noiseRatio (options) >= coarse_ratio)
-    return {0, {.660f, .084f, .0202f, .0086f, .0052f, .0037f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, 1, .05f};
-  return {2, {.661f, .0745f, .0517f, .0139f, .0080f, .0051f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, .7f, .05f};
-}
-
-/** sigma_s of the pass over the fitted normals: what they scatter by the noise and not more, or curved surfaces become facets.
-  * 0: there is no pass. */
-float
-filteringSigma (const RobustSmoothingOptions& options, int round)
-{
-  const float noise_ratio = noiseRatio (options);
-  if (options.fast || options.k < coarse_k)
-    return noise_ratio > .29f ? .15f : 0;
-  return round > 0 ? std::clamp (.26f * noise_ratio, .02f, .15f) : 0;
-}
-} // namespace
-
 void
 check (const RobustSmoothingOptions& options)
 {
@@ -106,6 +53,7 @@ public:
   , risks_ (2 * graph.size ())
   , averaged_ (2 * graph.size ())
   , weights_ (pairsBegin (graph, graph.blockCount ()))
+  , variance_factors_ (core::varianceFactors (options.noise.field, positions, execution))
   {}
 
   /** Every loop over the blocks that reads what the one before wrote for neighbours goes a hop farther: change both. */
@@ -116,7 +64,7 @@ public:
       return of_normals;
     // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals too.
     const int first_fit = std::max (of_normals, 1 + (options.oriented ? of_normals : 0));
-    const Schedule schedule = chooseSchedule (options);
+    const RoundSchedule schedule = chooseSchedule (options);
     constexpr int fit = 1, update = 1;
     int all = first_fit - fit;
     for (int round = 0; round < options.rounds; ++round)
@@ -161,6 +109,7 @@ private:
     step.by_normal = !first || options_.oriented;
     step.oriented = options_.oriented;
     step.residual_factor = residualFactor ();
+    step.variance_factors = varianceFactors ();
     const float noise_ratio = noiseRatio (options_);
     step.ridge = .3f * std::clamp (.15f * noise_ratio * noise_ratio, .003f, .01f);
     step.fitted = other_.data ()->data ();
@@ -201,6 +150,7 @@ private:
     step.reach_scale = 1 / (bandwidth * bandwidth);
     step.normal_factor = 1 / (2 * schedule_.sigma_s * schedule_.sigma_s);
     step.residual_factor = residualFactor ();
+    step.variance_factors = varianceFactors ();
     step.oriented = options_.oriented;
     step.all_normals = all_normals_;
     step.max_displacement = std::numeric_limits<float>::infinity ();
@@ -221,6 +171,7 @@ private:
     control.first_round = round == 0;
     control.oriented = options_.oriented;
     control.weights = weights_.data ();
+    control.variance_factors = varianceFactors ();
     control.gain = schedule_.tolerance * variance * schedule_.gains[round];
     control.max_displacement = options_.max_displacement;
     control.risks = risks_.data ();
@@ -246,13 +197,19 @@ private:
     return 1 / std::max (8 * sigma * sigma, std::numeric_limits<float>::min () * 1e8f);
   }
 
+  const float*
+  varianceFactors () const
+  {
+    return variance_factors_.empty () ? nullptr : variance_factors_.data ();
+  }
+
   const NeighborGraph& graph_;
   const RobustSmoothingOptions& options_;
   const Execution& execution_;
   Execution progress_; // reports where the round began, and so never falls
   Positions& positions_;
   Vectors& normals_;
-  Schedule schedule_;
+  RoundSchedule schedule_;
   bool all_normals_; // no node is without one, now and later
   std::size_t k_ = 0;
   Vectors start_; // as startOf has it
@@ -261,6 +218,7 @@ private:
   Numbers risks_; // two a node
   Numbers averaged_;
   PaddedVector<std::uint8_t> weights_;
+  Numbers variance_factors_; // empty: 1 everywhere
 };
 } // namespace
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -28,7 +29,16 @@ NoiseEstimate
 knownNoise (const NoiseEstimate& estimated, const SmoothingOptions& options)
 {
   const NoiseEstimate& given = options.rounds.noise;
-  return {given.sigma >= 0 ? given.sigma : estimated.sigma, given.spacing >= 0 ? given.spacing : estimated.spacing};
+  return {given.sigma >= 0 ? given.sigma : estimated.sigma, given.spacing >= 0 ? given.spacing : estimated.spacing,
+          options.noise_varies ? estimated.field : given.field};
+}
+
+/** Where no sheets are seen: above the noise everywhere. */
+float
+sheetSigmas (const NoiseEstimate& noise)
+{
+  const float usual = sheet_sigmas * noise.sigma, largest = usual * noise.field.largestFactor ();
+  return std::max (usual, std::min (largest, test_spacings * noise.spacing));
 }
 } // namespace
 
@@ -41,6 +51,7 @@ SmoothingOptions::inUnit (double unit) const
   convert (options.rounds.max_displacement);
   convert (options.rounds.noise.sigma);
   convert (options.rounds.noise.spacing);
+  options.rounds.noise.field = rounds.noise.field.inUnit (unit);
   convert (options.rounds.sheet_distance);
   return options;
 }
@@ -66,7 +77,7 @@ bool
 SmoothingPreparation::needsNoise (const SmoothingOptions& options)
 {
   const NoiseEstimate& noise = options.rounds.noise;
-  return options.robust && !(noise.sigma >= 0 && noise.spacing >= 0);
+  return options.robust && (options.noise_varies || !(noise.sigma >= 0 && noise.spacing >= 0));
 }
 
 float
@@ -83,13 +94,13 @@ SmoothingPreparation::setSheetDistance (const NoiseEstimate& noise,
                                         const SheetEstimate& sheets,
                                         SmoothingOptions& options)
 {
-  const float sigma = knownNoise (noise, options).sigma;
+  const NoiseEstimate known = knownNoise (noise, options);
   float& distance = options.rounds.sheet_distance;
   if (sheets.gap > 0)
     distance = std::min (sheetTestDistance (noise, options), share_of_gap * sheets.gap);
   else if (distance < 0)
-    distance = sheet_sigmas * sigma;
-  return options.robust && sigma > 0; // else nothing moves
+    distance = sheetSigmas (known);
+  return options.robust && known.sigma > 0; // else nothing moves
 }
 
 SheetSeparationOptions
@@ -105,7 +116,7 @@ SmoothingPreparation::chooseNoise (const NoiseEstimate& mixed,
 {
   const float of_rows = std::min (separated.sigma, 1.2f * mixed.sigma), of_sheets = sheet_noise_factor * sheets.sigma;
   const float sigma = std::max (of_rows, of_sheets);
-  return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing};
+  return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing, separated.field};
 }
 
 void
@@ -114,8 +125,10 @@ SmoothingPreparation::setNoise (const NoiseEstimate& noise, SmoothingOptions& op
   RobustSmoothingOptions& rounds = options.rounds;
   rounds.noise.sigma = rounds.noise.sigma < 0 ? noise.sigma : rounds.noise.sigma;
   rounds.noise.spacing = rounds.noise.spacing < 0 ? noise.spacing : rounds.noise.spacing;
+  if (std::exchange (options.noise_varies, false))
+    rounds.noise.field = noise.field;
   if (!std::isfinite (rounds.max_displacement) && rounds.noise.sigma > 0)
-    rounds.max_displacement = displacement_sigmas * rounds.noise.sigma;
+    rounds.max_displacement = displacement_sigmas * rounds.noise.sigma * rounds.noise.field.largestFactor ();
 }
 
 void

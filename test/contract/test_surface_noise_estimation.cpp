@@ -42,6 +42,25 @@ TEST (SurfaceNoiseEstimationTest, ReadsNoiseAndSpacing)
   EXPECT_NEAR (noise.getSpacing (), spacing, 0.2 * spacing);
 }
 
+TEST (SurfaceNoiseEstimationTest, TellsWhereTheNoiseIsLarge)
+{
+  for (const float unit : {1.0f, 0x1p60f, 0x1p-60f}) {
+    const test_support::Shape plane = test_support::planeGrid (80, spacing);
+    auto cloud = pcl::make_shared<Cloud> ();
+    for (std::size_t i = 0; i < plane.size (); ++i) {
+      const Eigen::Vector3f& place = plane.points[i];
+      const float noise = (0.0005f + 0.004f * place.x ()) * static_cast<float> (test_support::gaussianNoise (1, i));
+      cloud->emplace_back (unit * place.x (), unit * place.y (), unit * (place.z () + noise));
+    }
+    SurfaceNoiseEstimation<pcl::PointXYZ> noise;
+    noise.setInputCloud (cloud);
+    ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
+    for (const float x : {0.2f, 0.4f, 0.7f})
+      EXPECT_NEAR (noise.getSigmaAt ({unit * x, unit * 0.4f, 0}) / unit, 0.0005 + 0.004 * x, 0.0008) << x;
+  }
+  EXPECT_EQ (SurfaceNoiseEstimation<pcl::PointXYZ> ().getSigmaAt ({1, 2, 3}), 0);
+}
+
 TEST (SurfaceNoiseEstimationTest, IndexedPointsAloneAreTheCloud)
 {
   const Cloud::Ptr cloud = noisyPlane ();

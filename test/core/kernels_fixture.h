@@ -57,6 +57,16 @@ protected:
     return std::vector<float> (3 * nodes_.size (), -77);
   }
 
+  /** A number for every node, above 0. */
+  Numbers
+  factorsOfNodes () const
+  {
+    Numbers factors;
+    for (std::size_t i = 0; i < nodes_.size (); ++i)
+      factors.push_back (0.2f + static_cast<float> (uniformNoise (124, i)));
+    return factors;
+  }
+
   std::vector<std::uint16_t>
   distanceWeights (const Kernels& kernels) const
   {

@@ -101,11 +101,45 @@ TEST_P (KernelsTest, EstimatedNormalsAreTheSameForEveryInstructionSet)
       step.turn_frame = !oriented;
       step.by_normal = step.oriented = oriented;
       step.residual_factor = 100;
+      const Numbers factors = factorsOfNodes ();
+      step.variance_factors = oriented ? factors.data () : nullptr;
       step.ridge = 0.003f;
       step.fitted = normals.data ();
       forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels.fit_normals (step, rows); });
       return normals;
     });
+}
+
+TEST_P (KernelsTest, FourTimesTheVarianceIsTwiceTheNoise)
+{
+  const Numbers factors (nodes_.size (), 4.0f);
+  const auto compute = [&] (const float* variance_factors, float residual_factor) {
+    std::vector<float> normals = vectors (), moved = vectors ();
+    QuadricFitStep fit {};
+    fit.nodes = nodeArrays (nodes_, normals_);
+    fit.solves = 2;
+    fit.residual_factor = residual_factor;
+    fit.variance_factors = variance_factors;
+    fit.ridge = 0.003f;
+    fit.fitted = normals.data ();
+    PointUpdateStep update {};
+    update.nodes = fit.nodes;
+    update.start = update.nodes.offset;
+    update.compensated = update.robust = true;
+    update.reach_scale = 1;
+    update.normal_factor = 50;
+    update.residual_factor = residual_factor;
+    update.variance_factors = variance_factors;
+    update.max_displacement = infinity;
+    update.moved = moved.data ();
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
+      kernels ().fit_normals (fit, rows);
+      kernels ().update_points (update, rows);
+    });
+    normals.insert (normals.end (), moved.begin (), moved.end ());
+    return normals;
+  };
+  expectSameBits (compute (factors.data (), 400), compute (nullptr, 100), kernels ().name);
 }
 
 TEST_P (KernelsTest, ResidualsAreTheSameForEveryInstructionSet)
@@ -135,6 +169,8 @@ TEST_P (KernelsTest, StepsAreTheSameForEveryInstructionSet)
       control.risks = risks.data ();
       control.averaged = averaged.data ();
       control.gain = .3f;
+      const Numbers factors = factorsOfNodes ();
+      control.variance_factors = first_round ? nullptr : factors.data ();
       control.max_displacement = .4f;
       for (const auto kernel : {kernels.step_risks, kernels.averaging_weights, kernels.average_risks})
         forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernel (control, rows); });

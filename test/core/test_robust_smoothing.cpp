@@ -222,6 +222,24 @@ TEST_P (RobustSmoothingTest, ThreadsAndOrderDoNotMatter)
     ASSERT_EQ (shuffled[i], expected[order[i]]) << i;
 }
 
+TEST_P (RobustSmoothingTest, NoiseThatVariesIsSmoothedByWhatItIsWhere)
+{
+  const Shape ball = sphere (6000, 1);
+  const auto distance = [] (const Eigen::Vector3f& p) { return std::abs (p.norm () - 1.0); };
+  SmoothingOptions options = robustOptions (GetParam ());
+  for (const std::uint64_t seed : {1, 2}) {
+    Vectors points = ball.points;
+    for (std::size_t i = 0; i < points.size (); ++i)
+      points[i] *= 1 + 0.046f * (0.25f + 0.2f * points[i].x ()) * static_cast<float> (gaussianNoise (seed, i));
+    const auto error = [&] (bool varies) {
+      options.noise_varies = varies;
+      return meanDistance (sum (points, smoothed (asPositions (points), GetParam () ? 16 : 32, options).displacements),
+                           distance);
+    };
+    EXPECT_LT (error (true), 0.85 * error (false)) << seed;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P (Presets, RobustSmoothingTest, testing::Bool (), [] (const auto& preset) {
   return preset.param ? "Fast" : "Default";
 });

@@ -79,4 +79,14 @@ TEST_F (StepControlTest, APointSaysNoMoreThanThreeGains)
     EXPECT_EQ (risks_[1], 1);
   }
 }
+TEST_F (StepControlTest, WhereTheNoiseIsLargeAStepMayCostMore)
+{
+  control_.gain = 4;
+  const float expected = shareFor (3, 1);
+  const Numbers factors (graph_->size (), 4.0f);
+  control_.gain = 1;
+  EXPECT_NE (shareFor (3, 1), expected);
+  control_.variance_factors = factors.data ();
+  EXPECT_EQ (shareFor (3, 1), expected);
+}
 } // namespace

@@ -46,6 +46,13 @@ TEST (ViewerParameters, LettersMakeSmallerAndLarger)
   EXPECT_EQ (press ({"d"}, rounds), (Given {{"-max_displacement", "0.04"}}));
 }
 
+TEST (ViewerParameters, NoiseThatVariesStillDoesWhereSigmaIsChanged)
+{
+  EXPECT_EQ (press ({"S"}, rounds + " -noise_varies 1"), (Given {{"-noise_sigma", "0.0125"}, {"-noise_varies", "1"}}));
+  EXPECT_EQ (press ({"S"}, rounds + " -noise_varies 0"), (Given {{"-noise_sigma", "0.0125"}}));
+  EXPECT_EQ (press ({"Up", "Right"}, "-noise_varies 1 " + rounds), (Given {{"-noise_varies", "0"}}));
+}
+
 TEST (ViewerParameters, StayWithinTheirRanges)
 {
   EXPECT_EQ (press ({"I"}, rounds), (Given {{"-point_iterations", "6"}}));

@@ -70,6 +70,20 @@ Tiles::wavyCloud (std::size_t points)
 }
 
 Tiles::Cloud
+Tiles::unevenlyNoisyWave ()
+{
+  std::mt19937 random (20);
+  std::uniform_real_distribution<double> place (0, 12);
+  std::normal_distribution<double> noise;
+  Cloud cloud;
+  for (int i = 0; i < 3000; ++i) {
+    const double x = place (random), y = place (random);
+    cloud.emplace_back (x, y, std::sin (x) * std::cos (y) + (0.005 + 0.008 * x) * noise (random));
+  }
+  return cloud;
+}
+
+Tiles::Cloud
 Tiles::clusters ()
 {
   std::mt19937 random (18);

@@ -37,4 +37,8 @@ protected:
   /** Two noisy sheets that are less than two spacings apart. */
   static Cloud
   closeSheets ();
+
+  /** A wave that is the noisier the farther it is, in an order that does not follow space. */
+  static Cloud
+  unevenlyNoisyWave ();
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_options.h"
 
+#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -13,6 +14,28 @@ namespace
 // JSON knows no infinity.
 constexpr const char* infinite = "inf";
 
+using NoiseRegions = std::vector<core::NoiseField::Region>;
+
+Json
+regionsAsJson (const NoiseRegions& regions)
+{
+  Json json = Json::array ();
+  for (const auto& [centre, reach, factor] : regions)
+    json.push_back (std::array<double, 5> {centre.x (), centre.y (), centre.z (), reach, factor});
+  return json;
+}
+
+NoiseRegions
+regionsFromJson (const Json& json)
+{
+  NoiseRegions regions;
+  for (const Json& region : json) {
+    const auto [x, y, z, reach, factor] = region.get<std::array<float, 5>> ();
+    regions.push_back ({{x, y, z}, reach, factor});
+  }
+  return regions;
+}
+
 class Writer
 {
 public:
@@ -24,6 +47,8 @@ public:
       json[name] = static_cast<int> (value);
     else if constexpr (std::is_floating_point_v<T>)
       json[name] = std::isinf (value) ? Json (infinite) : Json (static_cast<double> (value));
+    else if constexpr (std::is_same_v<T, NoiseRegions>)
+      json[name] = regionsAsJson (value);
     else
       json[name] = value;
   }
@@ -45,6 +70,8 @@ public:
       value = static_cast<T> (found.get<int> ());
     else if constexpr (std::is_floating_point_v<T>)
       value = found == infinite ? std::numeric_limits<T>::infinity () : static_cast<T> (found.get<double> ());
+    else if constexpr (std::is_same_v<T, NoiseRegions>)
+      value = regionsFromJson (found);
     else
       value = found.get<T> ();
   }
@@ -78,6 +105,8 @@ forEachOption (Options& options, Use& use)
   use ("update_search_interval", options.update.search_interval);
   use ("rounds_noise_sigma", options.rounds.noise.sigma);
   use ("rounds_noise_spacing", options.rounds.noise.spacing);
+  use ("rounds_noise_field", options.rounds.noise.field.regions);
+  use ("noise_varies", options.noise_varies);
   use ("rounds_k", options.rounds.k);
   use ("rounds", options.rounds.rounds);
   use ("rounds_fast", options.rounds.fast);

@@ -114,7 +114,7 @@ prepare (Plan& plan, const std::vector<SamplePoint>& sample, const core::Executi
   static const core::Vectors none;
   plan.separate = Preparation::setSheetDistance (noise, sheets, plan.options) &&
                   core::separationDepth (Preparation::separation (plan.options, none)) >= 0;
-  if (plan.separate && estimates && plan.options.rounds.noise.sigma < 0)
+  if (plan.separate && estimates)
     noise = Preparation::chooseNoise (noise, tiles.separated (), sheets);
   Preparation::setNoise (noise, plan.options);
 }

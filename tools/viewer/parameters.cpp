@@ -64,7 +64,7 @@ numberStep (const std::string& option, const std::string& text, int direction)
 ViewerParameters::ViewerParameters (const Given& given, const Options& known)
 : given_ (given), options_ (given), before_ (given)
 {
-  for (const std::string option : {"-preset", "-normals", "-weights", "-mixed", "-update"}) {
+  for (const std::string option : {"-preset", "-normals", "-weights", "-mixed", "-update", "-noise_varies"}) {
     std::istringstream words (known.valueOf (option));
     for (std::string word; std::getline (words, word, '|');)
       words_[option].push_back (word);
@@ -143,6 +143,10 @@ ViewerParameters::step (int direction)
     options_.erase (selected_);
   else
     options_[selected_] = numberStep (selected_, text, direction);
+  // Given alone, one sigma would hold everywhere.
+  const std::pair<std::string, std::string> varies ("-noise_varies", "1");
+  if (selected_ == "-noise_sigma" && std::find (used_.begin (), used_.end (), varies) != used_.end ())
+    options_.insert (varies);
 }
 
 std::string

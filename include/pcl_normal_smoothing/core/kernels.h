@@ -86,10 +86,11 @@ struct PointUpdateStep
   NodeArrays nodes;
   const float* start; // offsets before the first iteration; null where all are zero
   bool compensated;
-  bool robust;           // only compensated: neighbours weigh by their height too
-  float reach_scale;     // of 1 / (2 sigma_c^2)
-  float normal_factor;   // 1 / (2 sigma_s^2)
-  float residual_factor; // robust: 1 / (2 sigma^2) of the height
+  bool robust;                   // only compensated: neighbours weigh by their height too
+  float reach_scale;             // of 1 / (2 sigma_c^2)
+  float normal_factor;           // 1 / (2 sigma_s^2)
+  float residual_factor;         // robust: 1 / (2 sigma^2) of the height
+  const float* variance_factors; // of the noise, of all nodes; null: 1
   bool oriented;
   bool all_normals; // no node is without one
   float max_displacement;
@@ -104,7 +105,8 @@ struct QuadricFitStep
   bool turn_frame; // to the first fit
   bool by_normal;  // neighbours weigh by their normal too
   bool oriented;
-  float residual_factor; // 1 / (2 sigma^2) of the distance from the last fit
+  float residual_factor;         // 1 / (2 sigma^2) of the distance from the last fit
+  const float* variance_factors; // of the noise, of all nodes; null: 1
   float ridge;
   float* fitted; // out
 };
@@ -118,10 +120,11 @@ struct StepControl
   float* moved;          // along the normals since the first round
   bool first_round;
   bool oriented;
-  std::uint8_t* weights; // of all neighbours, from 0 to 15, two a byte
-  float* risks;          // two numbers a node
-  float* averaged;       // out of average_risks
-  float gain;
+  std::uint8_t* weights;         // of all neighbours, from 0 to 15, two a byte
+  float* risks;                  // two numbers a node
+  float* averaged;               // out of average_risks
+  float gain;                    // what a step may cost
+  const float* variance_factors; // of the noise, of all nodes; null: 1
   float max_displacement;
   float* taken; // out of take_steps: offsets; may be the proposed ones
 };

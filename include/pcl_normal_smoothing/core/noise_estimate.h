@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/noise_field.h>
 #include <pcl_normal_smoothing/core/noise_sample.h>
 
 namespace pcl_normal_smoothing
@@ -10,16 +11,18 @@ namespace core
 /** What a cloud tells of its noise, in the unit of its positions. */
 struct NoiseEstimate
 {
-  /** Standard deviation of the noise along the normal. */
+  /** Standard deviation of the noise along the normal: at half of the points it is larger, where it varies. */
   float sigma = 0;
   /** Distance between neighbouring points: the median over the points. */
   float spacing = 0;
+  /** How sigma varies over the cloud. */
+  NoiseField field = {};
 
   /** The same in the cloud's unit: see Positions::unit. */
   NoiseEstimate
   inCloudUnit (double unit) const
   {
-    return {static_cast<float> (sigma * unit), static_cast<float> (spacing * unit)};
+    return {static_cast<float> (sigma * unit), static_cast<float> (spacing * unit), field.inUnit (1 / unit)};
   }
 };
 

@@ -23,6 +23,7 @@ struct NoiseSample
     std::array<float, 3> variances;
     /** Of the eighth; 0 where there are fewer. */
     float distance;
+    Eigen::Vector3f place;
   };
 
   std::vector<Residuals> of_nodes;

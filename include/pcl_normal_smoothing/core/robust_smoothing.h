@@ -13,7 +13,7 @@ namespace core
   * as much of the step as an estimate of the risk allows. The noise decides all else. doc/robust_smoothing.md derives it. */
 struct RobustSmoothingOptions
 {
-  /** Of the cloud; sigma 0 leaves it as it is. */
+  /** Of the cloud; sigma 0 leaves it as it is. The weights and the estimate of the risk go by sigma at each place. */
   NoiseEstimate noise;
   /** Largest neighbourhood, the point itself included: prefixes of the graph's rows. At most 32 count. */
   int k = 32;

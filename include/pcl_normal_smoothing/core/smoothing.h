@@ -24,6 +24,8 @@ struct SmoothingOptions
   /** Where noise.sigma, noise.spacing or sheet_distance is below 0 it is estimated; likewise an infinite max_displacement,
     * from sigma. */
   RobustSmoothingOptions rounds;
+  /** rounds.noise.field is to be estimated too. */
+  bool noise_varies = false;
 
   /** The same options for positions in another unit: see Positions::unit. What is to be estimated stays so. */
   SmoothingOptions

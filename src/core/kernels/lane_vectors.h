@@ -126,6 +126,13 @@ load1 (const float* numbers, const std::uint32_t* index)
   return value;
 }
 
+/** As above; ones where there are no numbers. */
+LANES_INLINE Lanes
+load1OrOne (const float* numbers, const std::uint32_t* index)
+{
+  return numbers != nullptr ? load1 (numbers, index) : splat (1);
+}
+
 /** As load3, but reads nothing past them: where another thread may be writing. */
 LANES_INLINE Lanes3
 load3Alone (const float* vectors, const std::uint32_t* index)

@@ -75,6 +75,7 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
                         LANES_LAMBDA { return neighborPlane<compensated> (step, points, own_normal, own + 16 * j); };
   const NeighborValues<NeighborPlane, decltype (read)> neighbors (read, rows.length);
   const Lanes reach_factor = reachFactor (neighbors, rows) * step.reach_scale;
+  const Lanes residual_factor = step.residual_factor / load1OrOne (step.variance_factors, own);
   Lanes3 sum = {};
   Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself: it adds nothing above
   for (std::size_t j = 1; j < rows.length; ++j) {
@@ -82,7 +83,7 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
     const Lanes height = neighbor.height, x = 1 - similarity (neighbor.cosine, step.oriented);
     // Eq. 9, the Gaussians in one exponential.
     const Lanes exponent = neighbor.sq_dist * reach_factor + x * x * step.normal_factor;
-    const Lanes weight = robust ? bell (exponent + height * height * step.residual_factor) : expOfMinus (exponent);
+    const Lanes weight = robust ? bell (exponent + height * height * residual_factor) : expOfMinus (exponent);
     const Lanes3 term = (weight * height) * neighbor.normal;
     const Mask counts = (x == x) & isOther (own + 16 * j, own);
     weights += complete ? weight : counts ? weight : splat (0);

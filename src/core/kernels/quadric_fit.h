@@ -102,7 +102,8 @@ fitNormals (const QuadricFitStep& step, const BlockRows& rows, int first)
   Frame frame (own_normal);
   HeightField field (local, frame);
   Quadric quadric = fitQuadric (field, local.count, weights, step.ridge);
-  const Lanes residual_factor = step.residual_factor * (local.reach * local.reach);
+  const Lanes variance_factor = load1OrOne (step.variance_factors, own);
+  const Lanes residual_factor = step.residual_factor / variance_factor * (local.reach * local.reach);
   for (int solve = 1; solve < step.solves; ++solve) {
     const Lanes factor = residual_factor / quadric.squaredSlope ();
     for (std::size_t j = 0; j < local.count; ++j) {

@@ -10,6 +10,13 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
+/** What a step of the lanes' points may cost. */
+LANES_INLINE Lanes
+gainOf (const StepControl& control, const std::uint32_t* own)
+{
+  return control.gain * load1OrOne (control.variance_factors, own);
+}
+
 /** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and |d.n|.
   * The first is bounded: an outlier, which goes the same way round after round, says nothing of the points around. */
 LANES_INLINE void
@@ -19,7 +26,7 @@ stepRisks (const StepControl& control, const BlockRows& rows, int first)
   const Lanes3 normal = load3 (control.nodes.normals, own), offset = load3OrZero (control.nodes.offset, own);
   const Lanes step = dot (load3 (control.proposed, own) - offset, normal);
   const Mask valid = normal.x == normal.x;
-  const Lanes bound = splat (3 * control.gain);
+  const Lanes bound = 3 * gainOf (control, own);
   const Lanes product = minimum (maximum (load1 (control.moved, own) * step, -bound), bound);
   store2 (control.risks, own, {valid ? product : splat (0), valid ? absolute (step) : splat (0)});
 }
@@ -81,7 +88,7 @@ takeSteps (const StepControl& control, const BlockRows& rows, int first)
   const Lanes3 offset = load3OrZero (control.nodes.offset, own), start = load3OrZero (control.start, own);
   const Lanes2 risk = load2 (control.risks, own);
   const Lanes q = 1.57079633f * (risk.y * risk.y);
-  Lanes share = q > 0 ? minimum (maximum ((control.gain - risk.x) / q, splat (0)), splat (1)) : splat (0);
+  Lanes share = q > 0 ? minimum (maximum ((gainOf (control, own) - risk.x) / q, splat (0)), splat (1)) : splat (0);
   share *= share;
   share *= share;
   // What is taken may stand where it was proposed.
