@@ -6,6 +6,7 @@
 #include <pcl_normal_smoothing/core/sheet_test.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl_normal_smoothing
@@ -17,6 +18,42 @@ namespace
 constexpr std::size_t sample_size = 1024;
 constexpr double min_share_beside = 0.1;
 constexpr double min_peak_over_valley = 1.5;
+// The layers of a depth camera: points of one lie in a plane, but for this part of the step to the next; and that one lies so much
+// to one side (the median of SheetSample::sides), where a sheet lies above.
+constexpr float noise_of_layer = .01f;
+constexpr float side_of_layer = .6f;
+
+/** Where the neighbours of a node on other sheets lie, seen along its normal: above it and below. */
+class OtherNeighbors
+{
+public:
+  void
+  add (const Eigen::Vector3f& way, float height, const Eigen::Vector3f& normal)
+  {
+    const Eigen::Vector3f along = way - way.dot (normal) * normal;
+    sums_[height > 0] += along;
+    lengths_ += along.norm ();
+    ++count_;
+  }
+
+  int
+  count () const
+  {
+    return count_;
+  }
+
+  /** As in SheetSample::sides. */
+  float
+  side () const
+  {
+    return lengths_ > 0 ? (sums_[0].norm () + sums_[1].norm ()) / lengths_ : 0;
+  }
+
+private:
+  std::array<Eigen::Vector3f, 2> sums_ {Eigen::Vector3f::Zero (), Eigen::Vector3f::Zero ()};
+  float lengths_ = 0;
+  int count_ = 0;
+};
 
 template <typename Condition>
 std::vector<float>
@@ -34,6 +71,7 @@ SheetSample::join (const SheetSample& part)
   nodes += part.nodes;
   nodes_beside += part.nodes_beside;
   heights.insert (heights.end (), part.heights.begin (), part.heights.end ());
+  sides.insert (sides.end (), part.sides.begin (), part.sides.end ());
 }
 
 std::vector<std::uint32_t>
@@ -57,14 +95,16 @@ sampleSheets (const NeighborGraph& graph,
   for (const std::uint32_t node : sample) {
     const Row row = graph.row (node);
     std::vector<float> heights;
-    int others = 0;
+    OtherNeighbors others;
     for (std::size_t j = 1; j < std::min (row.size (), sheet_row_length); ++j)
       if (test.areParallel (node, row[j])) {
-        others += test.isOther (node, row[j], evidence_to_change);
-        heights.push_back (std::abs (test.height (node, row[j])));
+        const float height = test.height (node, row[j]);
+        if (test.isOther (node, row[j], evidence_to_change))
+          others.add (positions.difference (node, row[j]), height, normals[node]);
+        heights.push_back (std::abs (height));
       }
-    if (others >= min_other_neighbors)
-      found.join ({0, 1, heights});
+    if (others.count () >= min_other_neighbors)
+      found.join ({0, 1, heights, {others.side ()}});
   }
   return found;
 }
@@ -85,7 +125,10 @@ estimateSheets (SheetSample sample, float distance)
     return {};
   const std::vector<float> near = those (heights, [&] (float height) { return height < gap / 2; });
   // Both points of a pair have noise.
-  return {gap, quantile (near, .5) / (0.6745f * std::sqrt (2.0f))};
+  const float sigma = quantile (near, .5) / (0.6745f * std::sqrt (2.0f));
+  if (sigma < noise_of_layer * gap && quantile (sample.sides, .5) > side_of_layer)
+    return {};
+  return {gap, sigma};
 }
 
 SheetEstimate

@@ -23,6 +23,8 @@ constexpr float test_spacings = 1.2f;
 constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
 constexpr float sheet_noise_factor = 1.4f;
+// Of the noise: where sheets are told apart that nobody saw, less than this is not what noise leaves.
+constexpr float noise_of_layers = .25f;
 
 /** What is given counts before what is estimated. */
 NoiseEstimate
@@ -119,6 +121,14 @@ SmoothingPreparation::chooseNoise (const NoiseEstimate& mixed,
   return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing, separated.field};
 }
 
+bool
+SmoothingPreparation::areLayers (const NoiseEstimate& mixed,
+                                 const NoiseEstimate& separated,
+                                 const SheetEstimate& sheets)
+{
+  return !(sheets.gap > 0) && separated.spacing > 0 && separated.sigma < noise_of_layers * mixed.sigma;
+}
+
 void
 SmoothingPreparation::setNoise (const NoiseEstimate& noise, SmoothingOptions& options)
 {
@@ -142,6 +152,7 @@ prepareSmoothing (const Positions& positions,
     return;
   using Preparation = SmoothingPreparation;
   const bool estimates = Preparation::needsNoise (options);
+  const bool estimates_sheets = options.rounds.sheet_distance < 0 && !options.rounds.oriented;
   NoiseEstimate noise;
   if (estimates)
     noise = estimateNoise (*graph, positions, execution);
@@ -156,7 +167,13 @@ prepareSmoothing (const Positions& positions,
     if (estimates && (graph != mixed || sheets.gap > 0 || mixed->minRowLength () < noise_row_length)) {
       const NoiseSample separated = sampleNoise (*graph, positions, noiseSampleNodes (positions, positions.size ()),
                                                  positions.size (), execution);
-      noise = Preparation::chooseNoise (noise, estimateNoise (separated), sheets);
+      const NoiseEstimate of_sheets = estimateNoise (separated);
+      if (estimates_sheets && Preparation::areLayers (noise, of_sheets, sheets)) {
+        graph = mixed;
+        options.rounds.sheet_distance = std::numeric_limits<float>::infinity ();
+      }
+      else
+        noise = Preparation::chooseNoise (noise, of_sheets, sheets);
     }
   }
   Preparation::setNoise (noise, options);

@@ -240,6 +240,18 @@ TEST_P (RobustSmoothingTest, NoiseThatVariesIsSmoothedByWhatItIsWhere)
   }
 }
 
+TEST_P (RobustSmoothingTest, StepsOfADepthCameraAreSmoothed)
+{
+  const float spacing = 0.01f, slope = 0.3f, step = 0.008f;
+  Vectors points = planeGrid (80, spacing).points;
+  for (std::size_t i = 0; i < points.size (); ++i) {
+    const double height = slope * points[i].x () + 0.2 * step * gaussianNoise (1, i);
+    points[i].z () = step * static_cast<float> (std::round (height / step));
+  }
+  const auto distance = [&] (const Eigen::Vector3f& p) { return std::abs (p.z () - slope * p.x ()); };
+  EXPECT_LT (meanDistance (smoothedPoints (points, GetParam ()), distance), 0.8 * meanDistance (points, distance));
+}
+
 INSTANTIATE_TEST_SUITE_P (Presets, RobustSmoothingTest, testing::Bool (), [] (const auto& preset) {
   return preset.param ? "Fast" : "Default";
 });

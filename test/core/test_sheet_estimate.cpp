@@ -79,6 +79,27 @@ TEST (SheetEstimateTest, SeesNoneWhereThereIsOneSheet)
       }
 }
 
+TEST (SheetEstimateTest, LayersOfADepthCameraAreNoSheets)
+{
+  for (const float slope : {.2f, .35f, .5f})
+    for (const float step : {.6f, 1.0f, 1.5f}) {
+      Vectors points = planeGrid (60, spacing).points;
+      for (auto& point : points)
+        point.z () = step * spacing * std::round (slope * point.x () / (step * spacing));
+      const float distance = .4f * step * spacing;
+      EXPECT_EQ (estimateSheets (sampleOf (Searched (points), distance), distance).gap, 0)
+          << "slope " << slope << ", steps of " << step;
+    }
+}
+
+TEST (SheetEstimateTest, CleanSheetsAreSheets)
+{
+  for (const float gap : {1.0f, 1.5f, 2.0f, 2.5f}) {
+    const Searched cloud (parallelSheets (60, spacing, gap * spacing).points);
+    EXPECT_NEAR (estimateSheets (sampleOf (cloud, .8f * spacing), .8f * spacing).gap / spacing, gap, .01f);
+  }
+}
+
 TEST (SheetEstimateTest, ASampleIsAsGoodAsTheWholeCloud)
 {
   const Searched small (withNormalNoise (parallelSheets (20, spacing, 1.5f * spacing), .2f * spacing));

@@ -3,6 +3,10 @@
 
 #include <pcl_normal_smoothing/normal_smoothing.h>
 
+#include <pcl/conversions.h>
+
+#include <random>
+
 using namespace pcl_normal_smoothing;
 
 namespace
@@ -64,6 +68,28 @@ TEST_F (SmoothingTool, PrintedParametersGiveTheSameAgain)
     const std::string expected = smoothedWave (options), parameters = parameters_;
     EXPECT_EQ (smoothedWave (parameters), expected) << options << "\n" << parameters;
     EXPECT_EQ (parameters_, parameters);
+  }
+}
+
+TEST_F (SmoothingTool, PrintedParametersSayThatTheNoiseVaries)
+{
+  std::mt19937 random (1);
+  std::normal_distribution<float> noise;
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (int i = 0; i < 2500; ++i) {
+    const float x = static_cast<float> (i % 50) / 50, y = static_cast<float> (i / 50) / 50;
+    cloud.emplace_back (x, y, (0.001f + 0.008f * x) * noise (random));
+  }
+  tools::CloudFile file;
+  file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
+  pcl::toPCLPointCloud2 (cloud, *file.cloud);
+  savePcd (file, path ("wave.pcd"));
+  for (const std::string preset : {"", "-preset fast"}) {
+    const std::string expected = smoothedWave (preset), parameters = parameters_;
+    EXPECT_NE (parameters.find ("-noise_varies 1"), std::string::npos) << parameters;
+    EXPECT_EQ (smoothedWave (parameters), expected) << parameters;
+    EXPECT_EQ (parameters_, parameters);
+    EXPECT_NE (smoothedWave ("-noise_varies 0 " + preset), expected) << "the test is of no use";
   }
 }
 

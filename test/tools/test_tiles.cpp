@@ -55,20 +55,6 @@ TEST_F (Tiles, NoiseThatVariesIsTheSame)
     expectSame ("cloud.pcd", "-max_points 700", options);
 }
 
-TEST_F (Tiles, NoiseThatVariesComesBackFromThePrintedParameters)
-{
-  saveCloud (unevenlyNoisyWave (), "cloud.pcd");
-  for (const std::string preset : {"", "-preset fast"}) {
-    const std::string printed = succeed ("pcl_normal_smoothing cloud.pcd out.pcd " + preset).out;
-    const std::string parameters = printed.substr (printed.find ("-preset"));
-    EXPECT_NE (parameters.find ("-noise_varies 1"), std::string::npos) << parameters;
-    succeed ("pcl_normal_smoothing cloud.pcd again.pcd " + parameters.substr (0, parameters.find ('\n')));
-    EXPECT_EQ (contentOf (path ("again.pcd")), contentOf (path ("out.pcd")));
-    succeed ("pcl_normal_smoothing cloud.pcd even.pcd -noise_varies 0 " + preset);
-    EXPECT_NE (contentOf (path ("even.pcd")), contentOf (path ("out.pcd"))) << "the test is of no use";
-  }
-}
-
 TEST_F (Tiles, CloseSheetsAreSeparatedAlike)
 {
   saveCloud (closeSheets (), "cloud.pcd");

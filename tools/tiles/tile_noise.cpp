@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <unordered_set>
 
 namespace pcl_normal_smoothing
@@ -106,6 +107,7 @@ prepare (Plan& plan, const std::vector<SamplePoint>& sample, const core::Executi
   if (!plan.options.robust)
     return;
   const bool estimates = Preparation::needsNoise (plan.options);
+  const bool estimates_sheets = plan.options.rounds.sheet_distance < 0 && !plan.options.rounds.oriented;
   NoiseOfTiles tiles (plan, sample, execution);
   core::NoiseEstimate noise;
   if (estimates)
@@ -114,8 +116,15 @@ prepare (Plan& plan, const std::vector<SamplePoint>& sample, const core::Executi
   static const core::Vectors none;
   plan.separate = Preparation::setSheetDistance (noise, sheets, plan.options) &&
                   core::separationDepth (Preparation::separation (plan.options, none)) >= 0;
-  if (plan.separate && estimates)
-    noise = Preparation::chooseNoise (noise, tiles.separated (), sheets);
+  if (plan.separate && estimates) {
+    const core::NoiseEstimate separated = tiles.separated ();
+    if (estimates_sheets && Preparation::areLayers (noise, separated, sheets)) {
+      plan.separate = false;
+      plan.options.rounds.sheet_distance = std::numeric_limits<float>::infinity ();
+    }
+    else
+      noise = Preparation::chooseNoise (noise, separated, sheets);
+  }
   Preparation::setNoise (noise, plan.options);
 }
 } // namespace tools

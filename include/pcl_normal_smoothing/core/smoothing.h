@@ -74,6 +74,12 @@ struct SmoothingPreparation
   static NoiseEstimate
   chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated, const SheetEstimate& sheets);
 
+  /** Whether what was told apart is no sheets but the layers of coordinates in steps, as depth cameras give them: then all
+    * lies on one sheet.
+    * \param[in] mixed, separated, sheets as for chooseNoise */
+  static bool
+  areLayers (const NoiseEstimate& mixed, const NoiseEstimate& separated, const SheetEstimate& sheets);
+
   /** Sets whatever else is to be estimated. */
   static void
   setNoise (const NoiseEstimate& noise, SmoothingOptions& options);
