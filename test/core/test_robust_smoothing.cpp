@@ -242,14 +242,25 @@ TEST_P (RobustSmoothingTest, NoiseThatVariesIsSmoothedByWhatItIsWhere)
 
 TEST_P (RobustSmoothingTest, StepsOfADepthCameraAreSmoothed)
 {
-  const float spacing = 0.01f, slope = 0.3f, step = 0.008f;
-  Vectors points = planeGrid (80, spacing).points;
-  for (std::size_t i = 0; i < points.size (); ++i) {
-    const double height = slope * points[i].x () + 0.2 * step * gaussianNoise (1, i);
-    points[i].z () = step * static_cast<float> (std::round (height / step));
-  }
+  const float slope = 0.3f, step = 0.008f;
   const auto distance = [&] (const Eigen::Vector3f& p) { return std::abs (p.z () - slope * p.x ()); };
-  EXPECT_LT (meanDistance (smoothedPoints (points, GetParam ()), distance), 0.8 * meanDistance (points, distance));
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Vectors points = planeGrid (80, 0.01f).points;
+    for (std::size_t i = 0; i < points.size (); ++i) {
+      const double height = slope * points[i].x () + 0.2 * step * gaussianNoise (seed, i);
+      points[i].z () = step * static_cast<float> (std::round (height / step));
+    }
+    EXPECT_LT (meanDistance (smoothedPoints (points, GetParam ()), distance), 0.35 * meanDistance (points, distance));
+  }
+}
+
+TEST (LayersTest, WhatLeavesHardlyAnyNoiseThoughNoSheetIsSeenAreLayers)
+{
+  const auto areLayers = SmoothingPreparation::areLayers;
+  EXPECT_TRUE (areLayers ({0.01f, 0.1f}, {0.001f, 0.1f}, {}));
+  EXPECT_FALSE (areLayers ({0.01f, 0.1f}, {0.004f, 0.1f}, {})) << "the thin parts of a shape";
+  EXPECT_FALSE (areLayers ({0.01f, 0.1f}, {0.001f, 0.1f}, {0.2f, 0.001f})) << "sheets that were seen";
+  EXPECT_FALSE (areLayers ({0.01f, 0.1f}, {0, 0}, {})) << "too little is left to tell";
 }
 
 INSTANTIATE_TEST_SUITE_P (Presets, RobustSmoothingTest, testing::Bool (), [] (const auto& preset) {
