@@ -178,7 +178,6 @@ smoothInRounds (benchmark::State& state)
   core::RobustSmoothingOptions options;
   options.fast = fast;
   options.rounds = fast ? 3 : 6; // as the presets
-  options.k = static_cast<int> (state.range (1));
   options.noise = core::estimateNoise (*input.graph, input.nodes, core::Execution (0));
   options.max_displacement = 5 * options.noise.sigma;
   for (auto _ : state) {

@@ -78,7 +78,7 @@ public:
     for (int round = 0; round < options_.rounds; ++round) {
       progress_ = execution_.part (round, round, options_.rounds);
       const bool fine = round < schedule_.fine_rounds;
-      k_ = static_cast<std::size_t> (std::min (options_.k, fine ? fine_k : max_k));
+      k_ = fine ? fine_k : max_k;
       fitNormals (round);
       if (const float sigma_s = filteringSigma (options_, round); sigma_s > 0)
         filterFitted (sigma_s);
@@ -161,7 +161,6 @@ private:
   void
   takeSteps (int round)
   {
-    const auto k = static_cast<std::size_t> (std::min (options_.k, max_k));
     const float variance = options_.noise.sigma * options_.noise.sigma;
     StepControl control {};
     control.nodes = nodeArrays (positions_, normals_);
@@ -175,17 +174,17 @@ private:
     control.gain = schedule_.tolerance * variance * schedule_.gains[round];
     control.max_displacement = options_.max_displacement;
     control.risks = risks_.data ();
-    forAllBlocks (kernels ().step_risks, control, k);
+    forAllBlocks (kernels ().step_risks, control, max_k);
     if (round == 0) // normals and positions change little afterwards
-      forAllBlocks (kernels ().averaging_weights, control, k);
+      forAllBlocks (kernels ().averaging_weights, control, max_k);
     for (int average = 0; average < schedule_.averages; ++average) {
       control.risks = risks_.data ();
       control.averaged = averaged_.data ();
-      forAllBlocks (kernels ().average_risks, control, k);
+      forAllBlocks (kernels ().average_risks, control, max_k);
       risks_.swap (averaged_);
     }
     control.risks = risks_.data ();
-    forAllBlocks (kernels ().take_steps, control, k);
+    forAllBlocks (kernels ().take_steps, control, max_k);
     positions_.offset.swap (other_);
   }
 

@@ -107,7 +107,6 @@ forEachOption (Options& options, Use& use)
   use ("rounds_noise_spacing", options.rounds.noise.spacing);
   use ("rounds_noise_field", options.rounds.noise.field.regions);
   use ("noise_varies", options.noise_varies);
-  use ("rounds_k", options.rounds.k);
   use ("rounds", options.rounds.rounds);
   use ("rounds_fast", options.rounds.fast);
   use ("rounds_oriented", options.rounds.oriented);

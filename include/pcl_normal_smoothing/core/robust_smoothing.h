@@ -15,8 +15,6 @@ struct RobustSmoothingOptions
 {
   /** Of the cloud; sigma 0 leaves it as it is. The weights and the estimate of the risk go by sigma at each place. */
   NoiseEstimate noise;
-  /** Largest neighbourhood, the point itself included: prefixes of the graph's rows. At most 32 count. */
-  int k = 32;
   /** Rounds, at most six. */
   int rounds = 6;
   /** Fewer solves and averages a round: SmoothingPreset::FAST. */

@@ -3,14 +3,16 @@
 
 #include <pcl_normal_smoothing/core/robust_smoothing.h>
 
+#include <cstddef>
+
 namespace pcl_normal_smoothing
 {
 namespace core
 {
 constexpr int max_rounds = 6;
-/** Neighbourhoods of fine rounds, and the largest of all. */
-constexpr int fine_k = 16;
-constexpr int max_k = 32;
+/** Neighbourhoods of fine rounds and of the others: prefixes of the graph's rows. */
+constexpr std::size_t fine_k = 16;
+constexpr std::size_t max_k = 32;
 
 /** How much is done in which round. A gain is what a step may cost: the covariance of the point after the first round with
   * the step, on a plane of pure noise, in variances of the noise. */
