@@ -11,7 +11,7 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t sample_size = 4096;
+constexpr std::size_t noise_sample_size = 4096;
 constexpr std::uint32_t row_length = noise_row_length;
 
 std::uint32_t
@@ -149,13 +149,13 @@ NoiseSample::join (const NoiseSample& part)
 std::vector<std::uint32_t>
 noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size)
 {
-  return sampleNodes (nodes, cloud_size, sample_size, Execution (1));
+  return sampleNodes (nodes, cloud_size, noise_sample_size, Execution (1));
 }
 
 NoiseSample
 sampleNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const std::vector<std::uint32_t> sample = sampleNodes (nodes, nodes.size (), sample_size, execution);
+  const std::vector<std::uint32_t> sample = sampleNodes (nodes, nodes.size (), noise_sample_size, execution);
   // A graph by radius, or of small neighbourhoods, does not show enough.
   const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
   return residualsOf (nodes, sample,
