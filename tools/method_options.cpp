@@ -174,7 +174,7 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
   options.add ("-sheet_distance", "D|inf",
                "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds; "
                "inf: all lie on one",
-               "0.36 of their gap where close sheets are seen, else 4 noise_sigma; fast: inf",
+               "0.36 of their gap where close sheets are seen, else 4 noise_sigma, the largest; fast: inf",
                [&, length] (const std::string& text) {
                  if (text == no_length)
                    settings.setSheetDistance (std::numeric_limits<double>::infinity ());

@@ -147,7 +147,7 @@ public:
 
   /** A neighbour that is farther than this from the mean of both points' tangent planes may lie on another sheet and is not
     * counted, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one. Default: where the cloud shows close
-    * sheets, .36 of the gap between them, else four times the noise; infinity for FAST. */
+    * sheets, .36 of the gap between them, else four times the largest noise; infinity for FAST. */
   void
   setSheetDistance (double distance)
   {
