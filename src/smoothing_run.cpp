@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/smoothing_preparation.h>
 #include <pcl_normal_smoothing/smoothing_run.h>
 
 namespace pcl_normal_smoothing

@@ -138,7 +138,17 @@ public:
     noise_varies_ = varies;
   }
 
-  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds. Default: estimated. */
+  /** Coordinates may come in steps wider than the spacing of the points, as those of depth cameras do: where the cloud shows
+    * that, neighbourhoods grow until they hold several steps, k as it is. No noise could be seen otherwise. For rounds, and with k
+    * nearest neighbours, not where a radius bounds them. Default: true. */
+  void
+  setBridgeLayers (bool bridge)
+  {
+    bridge_layers_ = bridge;
+  }
+
+  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; that of neighbours, where layers are bridged.
+    * Default: estimated. */
   void
   setPointSpacing (double spacing)
   {
@@ -199,6 +209,7 @@ private:
   std::optional<double> max_displacement_;
   std::optional<double> noise_sigma_;
   std::optional<bool> noise_varies_;
+  bool bridge_layers_ = true;
   std::optional<double> point_spacing_;
   std::optional<double> sheet_distance_;
   int search_interval_ = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/layer_bridging.h>
 #include <pcl_normal_smoothing/core/noise_estimate.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 
@@ -11,6 +12,8 @@ namespace core
 {
 namespace
 {
+// Rounding alone makes .29; a camera's own noise moves what is rounded.
+constexpr float sigma_of_step = .43f;
 constexpr double pi = 3.14159265358979;
 
 /** The variance at no size of neighbourhood, from those at a small and a large one: curvature adds to the larger more. But
@@ -118,7 +121,7 @@ fieldOf (const NoiseSample& sample, const NoiseEstimate& noise)
 {
   const Factors factors = correctionsOf (sample, noise);
   const std::size_t size = smallestToTrust (corrected (sample, factors));
-  std::vector<LocalNoise> local;
+  std::vector<LocalValue> local;
   for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
     if (const float variance = sample.of_nodes[s].variances[size]; std::isfinite (variance))
       local.push_back ({sample.of_nodes[s].place, static_cast<float> (factors[s] * factors[s] * variance)});
@@ -139,7 +142,14 @@ estimateSigma (const NoiseSample& sample, int iterations, NoiseEstimate& noise)
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  return estimateNoise (sampleNoise (graph, nodes, execution));
+  const NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution));
+  const LayerEstimate layers = estimateLayers (graph, nodes, execution);
+  const auto wide = bridgeLayers (graph, nodes, layers, execution);
+  if (!wide)
+    return noise;
+  NoiseEstimate of_wide = estimateNoise (sampleNoise (*wide, nodes, execution), layers);
+  of_wide.spacing = noise.spacing;
+  return of_wide;
 }
 
 NoiseEstimate
@@ -158,6 +168,20 @@ estimateNoise (const NoiseSample& sample)
   noise.field = fieldOf (sample, noise);
   if (!noise.field.isEven ())
     estimateSigma (sample, 3, noise);
+  return noise;
+}
+
+NoiseEstimate
+estimateNoise (NoiseSample sample, const LayerEstimate& layers)
+{
+  std::vector<float> steps;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+    steps.push_back (layers.steps.valueAt (residuals.place, 0));
+  const float step = quantile (steps, .5);
+  sample.dropPlanes ();
+  NoiseEstimate noise = estimateNoise (sample);
+  noise.sigma = std::max (noise.sigma, sigma_of_step * step);
+  noise.field = relativeField (layers.steps, step);
   return noise;
 }
 } // namespace core

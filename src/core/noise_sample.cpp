@@ -3,6 +3,7 @@
 #include <pcl_normal_smoothing/core/node_blocks.h>
 #include <pcl_normal_smoothing/core/noise_sample.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace pcl_normal_smoothing
@@ -144,6 +145,20 @@ NoiseSample::join (const NoiseSample& part)
 {
   of_nodes.insert (of_nodes.end (), part.of_nodes.begin (), part.of_nodes.end ());
   short_rows += part.short_rows;
+}
+
+std::size_t
+NoiseSample::dropPlanes ()
+{
+  constexpr float of_distance = 1e-3f; // sigma
+  const auto isPlane = [] (const Residuals& residuals) {
+    const float sigma = of_distance * residuals.distance;
+    return residuals.variances[0] < sigma * sigma;
+  };
+  const auto end = std::remove_if (of_nodes.begin (), of_nodes.end (), isPlane);
+  const auto dropped = static_cast<std::size_t> (of_nodes.end () - end);
+  of_nodes.erase (end, of_nodes.end ());
+  return dropped;
 }
 
 std::vector<std::uint32_t>

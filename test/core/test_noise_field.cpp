@@ -80,24 +80,24 @@ TEST (NoiseFieldTest, OrderDoesNotMatter)
   for (const std::uint32_t i : permutation (points.size (), 4))
     shuffled.push_back (points[i]);
   const NoiseField field = estimateOf (shuffled).field;
-  ASSERT_EQ (field.regions.size (), expected.regions.size ());
-  for (std::size_t i = 0; i < field.regions.size (); ++i) {
-    EXPECT_EQ (field.regions[i].centre, expected.regions[i].centre);
-    EXPECT_EQ (field.regions[i].reach, expected.regions[i].reach);
-    EXPECT_EQ (field.regions[i].factor, expected.regions[i].factor);
+  ASSERT_EQ (field.factors.regions.size (), expected.factors.regions.size ());
+  for (std::size_t i = 0; i < field.factors.regions.size (); ++i) {
+    EXPECT_EQ (field.factors.regions[i].centre, expected.factors.regions[i].centre);
+    EXPECT_EQ (field.factors.regions[i].reach, expected.factors.regions[i].reach);
+    EXPECT_EQ (field.factors.regions[i].value, expected.factors.regions[i].value);
   }
 }
 
 TEST (NoiseFieldTest, IsTheSameInAnotherUnit)
 {
-  const NoiseField field {{{{1, 0, 0}, 0.5f, 2}, {{-1, 0, 0}, 1, 0.5f}}}, other = field.inUnit (0.25);
+  const NoiseField field {{{{{1, 0, 0}, 0.5f, 2}, {{-1, 0, 0}, 1, 0.5f}}}}, other = field.inUnit (0.25);
   for (const float x : {-2.0f, -1.0f, 0.0f, 0.7f})
     EXPECT_EQ (other.factorAt ({4 * x, 4, 0}), field.factorAt ({x, 1, 0}));
 }
 
 TEST (NoiseFieldTest, LiesBetweenItsRegionsAndIsOneFarAway)
 {
-  const NoiseField field {{{{1, 0, 0}, 0.5f, 2}, {{-1, 0, 0}, 0.5f, 0.5f}}};
+  const NoiseField field {{{{{1, 0, 0}, 0.5f, 2}, {{-1, 0, 0}, 0.5f, 0.5f}}}};
   EXPECT_NEAR (field.factorAt ({1, 0, 0}), 2, 0.01);
   EXPECT_NEAR (field.factorAt ({-1, 0, 0}), 0.5, 0.01);
   EXPECT_EQ (field.factorAt ({0, 3, 0}), 1.25f);

@@ -5,6 +5,7 @@
 
 #include <pcl/conversions.h>
 
+#include <cmath>
 #include <random>
 
 using namespace pcl_normal_smoothing;
@@ -90,6 +91,26 @@ TEST_F (SmoothingTool, PrintedParametersSayThatTheNoiseVaries)
     EXPECT_EQ (smoothedWave (parameters), expected) << parameters;
     EXPECT_EQ (parameters_, parameters);
     EXPECT_NE (smoothedWave ("-noise_varies 0 " + preset), expected) << "the test is of no use";
+  }
+}
+
+TEST_F (SmoothingTool, PrintedParametersSayThatLayersAreBridged)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (int i = 0; i < 2500; ++i) {
+    const float x = static_cast<float> (i % 50) / 50, y = static_cast<float> (i / 50) / 50;
+    cloud.emplace_back (x, y, 0.1f * std::round (5 * x + y)); // steps of five spacings, ten wide
+  }
+  tools::CloudFile file;
+  file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
+  pcl::toPCLPointCloud2 (cloud, *file.cloud);
+  savePcd (file, path ("wave.pcd"));
+  for (const std::string preset : {"", "-preset fast"}) {
+    const std::string expected = smoothedWave (preset), parameters = parameters_;
+    EXPECT_NE (parameters.find ("-bridge_layers 1"), std::string::npos) << parameters;
+    EXPECT_EQ (smoothedWave (parameters), expected) << parameters;
+    EXPECT_EQ (parameters_, parameters);
+    EXPECT_NE (smoothedWave ("-bridge_layers 0 " + preset), expected) << "the test is of no use";
   }
 }
 

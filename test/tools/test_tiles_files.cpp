@@ -118,7 +118,7 @@ TEST_F (Tiles, OptionsComeBackToTheBit)
   options.filter.weight = NormalWeight::MIXED;
   options.filter.sigma_s = 1.0f / 3;
   options.update.sigma_s = std::nextafter (0.1f, 1.0f);
-  options.rounds.noise = {1e-42f, 3.4e38f, {{{{0.1f, -2, 3e-40f}, 0.3f, 1.0f / 3}}}};
+  options.rounds.noise = {1e-42f, 3.4e38f, {{{{{0.1f, -2, 3e-40f}, 0.3f, 1.0f / 3}}}}};
   options.noise_varies = true;
   options.rounds.fast = true;
   options.rounds.max_displacement = 0.7f;
@@ -126,8 +126,8 @@ TEST_F (Tiles, OptionsComeBackToTheBit)
   const core::SmoothingOptions read = optionsFromJson (Json::parse (json.dump ()));
   EXPECT_EQ (optionsAsJson (read).dump (), json.dump ());
   EXPECT_EQ (read.rounds.noise.sigma, options.rounds.noise.sigma);
-  ASSERT_EQ (read.rounds.noise.field.regions.size (), 1u);
-  EXPECT_EQ (read.rounds.noise.field.regions[0].factor, 1.0f / 3);
+  ASSERT_EQ (read.rounds.noise.field.factors.regions.size (), 1u);
+  EXPECT_EQ (read.rounds.noise.field.factors.regions[0].value, 1.0f / 3);
   EXPECT_TRUE (read.noise_varies);
   EXPECT_EQ (read.rounds.sheet_distance, options.rounds.sheet_distance); // infinity
   EXPECT_EQ (read.hough.seed, options.hough.seed);

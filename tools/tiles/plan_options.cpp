@@ -14,7 +14,7 @@ namespace
 // JSON knows no infinity.
 constexpr const char* infinite = "inf";
 
-using NoiseRegions = std::vector<core::NoiseField::Region>;
+using NoiseRegions = std::vector<core::RegionalField::Region>;
 
 Json
 regionsAsJson (const NoiseRegions& regions)
@@ -105,8 +105,9 @@ forEachOption (Options& options, Use& use)
   use ("update_search_interval", options.update.search_interval);
   use ("rounds_noise_sigma", options.rounds.noise.sigma);
   use ("rounds_noise_spacing", options.rounds.noise.spacing);
-  use ("rounds_noise_field", options.rounds.noise.field.regions);
+  use ("rounds_noise_field", options.rounds.noise.field.factors.regions);
   use ("noise_varies", options.noise_varies);
+  use ("bridge_layers", options.bridge_layers);
   use ("rounds", options.rounds.rounds);
   use ("rounds_fast", options.rounds.fast);
   use ("rounds_oriented", options.rounds.oriented);

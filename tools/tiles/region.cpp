@@ -3,6 +3,8 @@
 
 #include "record_file.h"
 
+#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+
 #include <algorithm>
 #include <cmath>
 

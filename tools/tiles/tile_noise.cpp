@@ -2,12 +2,15 @@
 #include "tile_noise.h"
 
 #include "region.h"
+#include "tool.h"
+
+#include <pcl_normal_smoothing/core/smoothing_preparation.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <unordered_set>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -15,34 +18,37 @@ namespace tools
 {
 namespace
 {
-using Preparation = core::SmoothingPreparation;
+constexpr double share_of_planes = .1;
 
-/** Estimates the noise of all tiles by what it sees of each. */
-class NoiseOfTiles
+/** A cloud that is seen in tiles. */
+class TiledCloud : public core::SmoothingPreparation
 {
 public:
-  NoiseOfTiles (const Plan& plan, const std::vector<SamplePoint>& sample, const core::Execution& execution)
+  /** \param[in,out] plan kept, as everything else, while this is used */
+  TiledCloud (Plan& plan, const std::vector<SamplePoint>& sample, const core::Execution& execution)
   : plan_ (plan), sample_ (sample), execution_ (execution)
   {}
 
-  /** By neighbourhoods as they are searched. */
-  core::NoiseEstimate
-  mixed ()
+  /** Coordinates may come in steps, for points often lie in planes exactly; known after complete. */
+  bool
+  mayHaveLayers () const
   {
-    return estimate (core::NeighborQuery {core::noise_row_length}, {0, -1});
+    return may_have_layers_;
   }
 
-  /** By those of one sheet. */
+protected:
   core::NoiseEstimate
-  separated ()
+  mixedNoise () override
   {
-    static const core::Vectors none;
-    return estimate (plan_.query, {0, core::separationDepth (Preparation::separation (plan_.options, none))});
+    core::NoiseSample sample = sampleOf (core::NeighborQuery {core::noise_row_length}, {0, -1});
+    const core::NoiseEstimate noise = core::estimateNoise (sample);
+    const auto all = static_cast<double> (sample.of_nodes.size ());
+    may_have_layers_ = static_cast<double> (sample.dropPlanes ()) > share_of_planes * all;
+    return noise;
   }
 
-  /** \param[in] distance infinity: sheets are not looked for */
   core::SheetEstimate
-  sheets (float distance)
+  sheets (float distance) override
   {
     if (std::isinf (distance))
       return {};
@@ -57,15 +63,35 @@ public:
     return core::estimateSheets (all, distance);
   }
 
-private:
+  bool
+  separate (const core::SmoothingOptions& options) override
+  {
+    static const core::Vectors none;
+    separation_depth_ = core::separationDepth (separation (options, none));
+    return plan_.separate = separation_depth_ >= 0;
+  }
+
   core::NoiseEstimate
-  estimate (const core::NeighborQuery& query, const Depth& depth)
+  separatedNoise () override
+  {
+    return core::estimateNoise (sampleOf (plan_.query, {0, separation_depth_}));
+  }
+
+  void
+  mix () override
+  {
+    plan_.separate = false;
+  }
+
+private:
+  core::NoiseSample
+  sampleOf (const core::NeighborQuery& query, const Depth& depth)
   {
     core::NoiseSample all;
     forEachTile (query, depth, [&] (Region& region) {
       all.join (core::sampleNoise (*region.graph (), region.nodes (), region.wanted (), plan_.points, execution_));
     });
-    return core::estimateNoise (all);
+    return all;
   }
 
   /** Calls \a body with the points of the sample in one tile after the other. */
@@ -95,37 +121,26 @@ private:
     return plan_.cells[sample_[i].cell].tile;
   }
 
-  const Plan& plan_;
+  Plan& plan_;
   const std::vector<SamplePoint>& sample_;
   const core::Execution& execution_;
+  int separation_depth_ = -1;
+  bool may_have_layers_ = false;
 };
 } // namespace
 
 void
 prepare (Plan& plan, const std::vector<SamplePoint>& sample, const core::Execution& execution)
 {
-  if (!plan.options.robust)
-    return;
-  const bool estimates = Preparation::needsNoise (plan.options);
-  const bool estimates_sheets = plan.options.rounds.sheet_distance < 0 && !plan.options.rounds.oriented;
-  NoiseOfTiles tiles (plan, sample, execution);
-  core::NoiseEstimate noise;
-  if (estimates)
-    noise = tiles.mixed ();
-  const core::SheetEstimate sheets = tiles.sheets (Preparation::sheetTestDistance (noise, plan.options));
-  static const core::Vectors none;
-  plan.separate = Preparation::setSheetDistance (noise, sheets, plan.options) &&
-                  core::separationDepth (Preparation::separation (plan.options, none)) >= 0;
-  if (plan.separate && estimates) {
-    const core::NoiseEstimate separated = tiles.separated ();
-    if (estimates_sheets && Preparation::areLayers (noise, separated, sheets)) {
-      plan.separate = false;
-      plan.options.rounds.sheet_distance = std::numeric_limits<float>::infinity ();
-    }
-    else
-      noise = Preparation::chooseNoise (noise, separated, sheets);
-  }
-  Preparation::setNoise (noise, plan.options);
+  TiledCloud cloud (plan, sample, execution);
+  cloud.complete (plan.options);
+  // To see past layers neighbourhoods may grow until a tile needs all of its cloud.
+  const bool bridges = std::exchange (plan.options.bridge_layers, false) && plan.options.robust;
+  if (bridges && cloud.mayHaveLayers ())
+    note ("many points lie in planes with those around them, exactly: if that is because their coordinates come in "
+          "steps, "
+          "as a depth camera's do, use pcl_normal_smoothing, which sees past them; the tiles will be as its "
+          "-bridge_layers 0");
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

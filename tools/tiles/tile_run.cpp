@@ -4,6 +4,8 @@
 #include "region.h"
 #include "tile_result.h"
 
+#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+
 #include <algorithm>
 #include <cmath>
 

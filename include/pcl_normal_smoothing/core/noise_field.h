@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl_normal_smoothing/core/parallel_for.h>
-#include <pcl_normal_smoothing/core/positions.h>
+#include <pcl_normal_smoothing/core/regional_field.h>
 
 namespace pcl_normal_smoothing
 {
@@ -12,27 +12,21 @@ namespace core
   * its part of the cloud's sigma. */
 struct NoiseField
 {
-  struct Region
-  {
-    /** The middle of its box, and the distance from there to the corners, > 0: in the unit of the positions. */
-    Eigen::Vector3f centre;
-    float reach;
-    /** sigma there over that of the cloud, > 0. */
-    float factor;
-  };
-
-  /** None: the noise is the same everywhere. */
-  std::vector<Region> regions;
+  /** sigma there over that of the cloud, > 0. None: the noise is the same everywhere. */
+  RegionalField factors;
 
   bool
   isEven () const
   {
-    return regions.empty ();
+    return factors.regions.empty ();
   }
 
-  /** sigma at a place over that of the cloud: a mean of the regions, the nearer ones counting for more. 1 far away. */
+  /** sigma at a place over that of the cloud; 1 far away. */
   float
-  factorAt (const Eigen::Vector3f& place) const;
+  factorAt (const Eigen::Vector3f& place) const
+  {
+    return factors.valueAt (place, 1);
+  }
 
   float
   smallestFactor () const;
@@ -42,22 +36,22 @@ struct NoiseField
 
   /** The same for positions in another unit: see Positions::unit. */
   NoiseField
-  inUnit (double unit) const;
+  inUnit (double unit) const
+  {
+    return {factors.inUnit (unit)};
+  }
 };
 
-/** What one point shows of the noise around it. */
-struct LocalNoise
-{
-  Eigen::Vector3f place;
-  float variance;
-};
-
-/** \param[in] sample of the whole cloud, in any order
+/** \param[in] variances what a sample of the whole cloud shows, in any order
   * \param[in] spacing between neighbouring points, > 0
   * \param[in] ratio sigma over it: the smaller, the more must regions differ, for detail looks like noise
   * \return the factor 1 is the median of the sample; no regions where they hardly differ, or the sample is too small to tell */
 NoiseField
-estimateNoiseField (const std::vector<LocalNoise>& sample, float spacing, double ratio);
+estimateNoiseField (const std::vector<LocalValue>& variances, float spacing, double ratio);
+
+/** The field of a noise that is as much larger in a region as its value is larger than \a usual. */
+NoiseField
+relativeField (RegionalField values, float usual);
 
 /** The squares of factorAt for all nodes; empty where the field is even. */
 Numbers

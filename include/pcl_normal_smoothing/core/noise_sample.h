@@ -32,6 +32,10 @@ struct NoiseSample
 
   void
   join (const NoiseSample& part);
+
+  /** Leaves out nodes whose eight nearest lie in one plane exactly: in a layer they tell nothing. \return their number */
+  std::size_t
+  dropPlanes ();
 };
 
 /** Nodes of a cloud, or of a part of it, that are in a sample of about \a sample_size: those with the smallest hashes of their

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** The ways from a node to its nearest neighbours, itself first. */
+using Ways = std::vector<Eigen::Vector3d>;
+
+/** Of so many points, the node among them, it is asked whether they lie in a plane. */
+constexpr std::size_t layer_plane_size = 8;
+
+/** \param[in] ways at least layer_plane_size
+  * \return the normal of the plane in which so many nearest lie exactly, where they do and span one */
+std::optional<Eigen::Vector3d>
+planeOf (const Ways& ways);
+
+/** What is around a node that lies in a plane with its nearest. */
+struct LayerSurrounding
+{
+  /** Some points lie off the plane. */
+  bool is_off;
+  /** To the layer that begins where that of the node ends, > 0: points off the plane lie in one more plane above or below, and to
+    * one side. 0: there is none. */
+  double step;
+};
+
+/** \param[in] ways at least layer_plane_size
+  * \param[in] normal of the plane */
+LayerSurrounding
+layerSurrounding (const Ways& ways, const Eigen::Vector3d& normal);
+} // namespace core
+} // namespace pcl_normal_smoothing

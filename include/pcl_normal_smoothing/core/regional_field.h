@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/positions.h>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** A number that varies slowly over a cloud, known by regions. */
+struct RegionalField
+{
+  struct Region
+  {
+    /** The middle of its box, and the distance from there to the corners, > 0: in the unit of the positions. */
+    Eigen::Vector3f centre;
+    float reach;
+    float value;
+  };
+
+  std::vector<Region> regions;
+
+  /** A mean of the regions, the nearer ones counting for more. \return \a otherwise without regions, or too far from them to tell */
+  float
+  valueAt (const Eigen::Vector3f& place, float otherwise) const;
+
+  std::vector<float>
+  values () const;
+
+  /** The same for positions in another unit: see Positions::unit. */
+  RegionalField
+  inUnit (double unit) const;
+};
+
+/** What one point of a sample shows of such a number. */
+struct LocalValue
+{
+  Eigen::Vector3f place;
+  float value;
+};
+
+/** The medians over regions of 64 to 127 points of a sample, or all where it has fewer.
+  * \param[in] sample at least one point, in any order
+  * \param[in] spacing between neighbouring points, > 0 */
+RegionalField
+regionalMedians (std::vector<LocalValue> sample, float spacing);
+} // namespace core
+} // namespace pcl_normal_smoothing

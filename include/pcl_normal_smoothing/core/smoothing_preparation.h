@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/sheet_estimate.h>
+#include <pcl_normal_smoothing/core/sheet_separation.h>
+#include <pcl_normal_smoothing/core/smoothing.h>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** Lets the data tell what smoothing in rounds has to know: the layers that neighbourhoods must see past, which neighbours lie on
+  * another sheet, the noise of the cloud, and what follows from it. Nothing changes for the paper's chain.
+  * \param[in] normals read only for NormalSource::INPUT
+  * \param[in,out] graph on return with wide neighbourhoods in layers, and without neighbours on other sheets
+  * \param[in,out] options that pass check; on return without anything to estimate, and bridging layers where there are some; given again,
+  * they give the same graph */
+void
+prepareSmoothing (const Positions& positions,
+                  const Vectors& normals,
+                  const Execution& execution,
+                  NeighborGraph::ConstPtr& graph,
+                  SmoothingOptions& options);
+
+/** The order in which the noise and the sheets of a cloud are estimated, each from what was before, for a cloud that is seen as a
+  * whole or in tiles. */
+class SmoothingPreparation
+{
+public:
+  virtual ~SmoothingPreparation () = default;
+
+  /** \param[in,out] options as for prepareSmoothing */
+  void
+  complete (SmoothingOptions& options);
+
+  /** \param[in] normals as for prepareSmoothing; kept while the result is used */
+  static SheetSeparationOptions
+  separation (const SmoothingOptions& options, const Vectors& normals);
+
+  /** Whether what was told apart is no sheets but the layers of coordinates in steps, as depth cameras give them: then all
+    * lies on one sheet.
+    * \param[in] mixed, separated the estimates before and after; sigma 0: too little is left to tell */
+  static bool
+  areLayers (const NoiseEstimate& mixed, const NoiseEstimate& separated, const SheetEstimate& sheets);
+
+protected:
+  /** With neighbourhoods as they were searched. */
+  virtual NoiseEstimate
+  mixedNoise () = 0;
+
+  /** \param[in] distance by which sheets are looked for; infinity: not at all */
+  virtual SheetEstimate
+  sheets (float distance) = 0;
+
+  /** From now on neighbourhoods keep to one sheet. \return false: none changes, and the noise would be the same */
+  virtual bool
+  separate (const SmoothingOptions& options) = 0;
+
+  /** After separate. */
+  virtual NoiseEstimate
+  separatedNoise () = 0;
+
+  /** Takes separate back. */
+  virtual void
+  mix () = 0;
+};
+} // namespace core
+} // namespace pcl_normal_smoothing

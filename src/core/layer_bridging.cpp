@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/layer_bridging.h>
+#include <pcl_normal_smoothing/core/thinned_cloud.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+bool
+haveOneLength (const NeighborGraph& graph)
+{
+  const std::size_t length = graph.minRowLength ();
+  for (std::size_t block = 0; block < graph.blockCount (); ++block)
+    if (graph.blockLength (block) != length)
+      return false;
+  return true;
+}
+
+std::vector<int>
+halvingsOfNodes (const LayerEstimate& layers, const Positions& nodes, const Execution& execution)
+{
+  std::vector<int> halvings (nodes.size ());
+  const int most = ThinnedCloud::mostHalvings (nodes.size ());
+  parallelFor (nodes.size (), execution, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
+      halvings[node] = std::min (most, static_cast<int> (std::lround (layers.halvings.valueAt (nodes.base[node], 0))));
+  });
+  return halvings;
+}
+
+std::vector<std::uint32_t>
+nodesOf (int halvings, const std::vector<int>& of_nodes)
+{
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t node = 0; node < of_nodes.size (); ++node)
+    if (of_nodes[node] == halvings)
+      nodes.push_back (node);
+  return nodes;
+}
+} // namespace
+
+NeighborGraph::Ptr
+bridgeLayers (const NeighborGraph& graph,
+              const Positions& nodes,
+              const LayerEstimate& layers,
+              const Execution& execution)
+{
+  if (!layers.hasLayers () || !haveOneLength (graph))
+    return {};
+  const Execution silent = execution.silent ();
+  const std::vector<int> halvings = halvingsOfNodes (layers, nodes, silent);
+  const auto length = static_cast<std::uint32_t> (graph.minRowLength ());
+  auto wide = std::make_shared<NeighborGraph> (graph);
+  const int most = *std::max_element (halvings.begin (), halvings.end ());
+  for (int of_cloud = 1; of_cloud <= most; ++of_cloud) {
+    const std::vector<std::uint32_t> changed = nodesOf (of_cloud, halvings);
+    if (changed.empty ())
+      continue;
+    const ThinnedCloud thinned (graph, nodes, of_cloud, silent);
+    std::vector<std::uint32_t> rows (changed.size () * length);
+    parallelFor (changed.size (), silent, [&] (std::size_t begin, std::size_t end) {
+      KdTree::Scratch scratch;
+      for (std::size_t i = begin; i < end; ++i)
+        thinned.row (changed[i], rows.data () + i * length, length, scratch);
+    });
+    wide = wide->withRows (changed, rows, length);
+  }
+  return wide;
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/layer_estimate.h>
+#include <pcl_normal_smoothing/core/layer_test.h>
+#include <pcl_normal_smoothing/core/noise_sample.h>
+#include <pcl_normal_smoothing/core/quantile.h>
+#include <pcl_normal_smoothing/core/thinned_cloud.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr std::size_t quick_sample_size = 512;
+constexpr std::size_t sample_size = 4096;
+constexpr std::uint32_t row_length = 32;
+constexpr double cosine_of_parallel = 1 - 1e-5;
+constexpr double min_share_flat = .1;
+constexpr double min_share_parallel = .5; // of those that are flat
+constexpr double min_share_off = .1;      // likewise: have points near that are off their plane
+constexpr double min_count_off = 32;
+// Of these: have another layer near. Clean surfaces come to .03, depth cameras to .13 and more.
+constexpr double min_share_stepped = .1;
+constexpr float max_deviation = .4f; // of half of the steps, as a logarithm: terraces differ more
+
+bool
+areParallel (const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::abs (a.dot (b)) > cosine_of_parallel;
+}
+
+/** One of \a normals that most of the others are parallel to, or nearly so. */
+Eigen::Vector3d
+commonNormal (const std::vector<Eigen::Vector3d>& normals)
+{
+  constexpr std::size_t candidates = 64;
+  Eigen::Vector3d common = Eigen::Vector3d::Zero ();
+  std::ptrdiff_t most = 0;
+  for (std::size_t i = 0; i < normals.size (); i += std::max<std::size_t> (normals.size () / candidates, 1)) {
+    const auto count = std::count_if (normals.begin (), normals.end (),
+                                      [&] (const auto& normal) { return areParallel (normal, normals[i]); });
+    if (count > most) {
+      most = count;
+      common = normals[i];
+    }
+  }
+  return common;
+}
+
+using Planes = std::vector<std::optional<Eigen::Vector3d>>;
+
+Planes
+planesOf (const std::vector<Ways>& ways)
+{
+  Planes planes;
+  std::transform (ways.begin (), ways.end (), std::back_inserter (planes), planeOf);
+  return planes;
+}
+
+/** Close to each other steps of one size are. */
+bool
+areAlike (const std::vector<LocalValue>& steps, float spacing)
+{
+  const RegionalField usual = regionalMedians (steps, spacing);
+  std::vector<float> deviations;
+  for (const LocalValue& step : steps)
+    deviations.push_back (std::abs (std::log (step.value / usual.valueAt (step.place, step.value))));
+  return quantile (deviations, .5) < max_deviation;
+}
+
+float
+spacingOf (const std::vector<Ways>& ways)
+{
+  std::vector<float> distances;
+  for (const Ways& of_node : ways)
+    distances.push_back (static_cast<float> (of_node[layer_plane_size - 1].norm ()));
+  return quantile (distances, .5);
+}
+
+class LayerFinder
+{
+public:
+  LayerFinder (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+  : graph_ (graph), nodes_ (nodes), execution_ (execution)
+  {}
+
+  /** Cheap, for clouds with noise. */
+  bool
+  mayHaveLayers () const
+  {
+    if (graph_.minRowLength () < layer_plane_size)
+      return false;
+    const std::vector<std::uint32_t> sample = sampleNodes (nodes_, nodes_.size (), quick_sample_size, execution_);
+    const auto isFlat = [&] (std::uint32_t node) { return planeOf (waysTo (node, graph_.row (node))).has_value (); };
+    const auto flat = std::count_if (sample.begin (), sample.end (), isFlat);
+    return static_cast<double> (flat) > min_share_flat * static_cast<double> (sample.size ());
+  }
+
+  LayerEstimate
+  find ()
+  {
+    sample_ = sampleNodes (nodes_, nodes_.size (), sample_size, execution_);
+    const int end = ThinnedCloud::mostHalvings (nodes_.size ()) + 1;
+    halvings_.assign (sample_.size (), static_cast<float> (end));
+    steps_.assign (sample_.size (), 0);
+    bool have_layers = false;
+    float spacing = 0;
+    for (int halvings = 0; halvings < end; ++halvings) {
+      const std::vector<Ways> ways = waysInThinned (halvings);
+      const Planes planes = planesOf (ways);
+      for (std::size_t s = 0; s < sample_.size (); ++s)
+        if (!planes[s])
+          halvings_[s] = std::min (halvings_[s], static_cast<float> (halvings));
+      have_layers |= showLayers (ways, planes);
+      if (halvings == 0)
+        spacing = spacingOf (ways);
+    }
+    std::vector<LocalValue> steps = inPlace (steps_);
+    steps.erase (std::remove_if (steps.begin (), steps.end (), [] (const LocalValue& step) { return step.value == 0; }),
+                 steps.end ());
+    if (!have_layers || !(spacing > 0) || !areAlike (steps, spacing))
+      return {};
+    return {regionalMedians (inPlace (halvings_), spacing), regionalMedians (steps, spacing)};
+  }
+
+private:
+  Ways
+  waysTo (std::uint32_t node, const Row& row) const
+  {
+    Ways ways;
+    for (std::size_t j = 0; j < row.size (); ++j)
+      ways.push_back (nodes_.difference (node, row[j]).cast<double> ());
+    return ways;
+  }
+
+  /** From the points of the sample to the nearest of a thinner cloud. */
+  std::vector<Ways>
+  waysInThinned (int halvings) const
+  {
+    const ThinnedCloud thinned (graph_, nodes_, halvings, execution_);
+    std::vector<Ways> ways (sample_.size ());
+    parallelFor (
+        sample_.size (), execution_,
+        [&] (std::size_t begin, std::size_t end) {
+          KdTree::Scratch scratch;
+          std::array<std::uint32_t, row_length> row;
+          for (std::size_t s = begin; s < end; ++s) {
+            thinned.row (sample_[s], row.data (), row_length, scratch);
+            ways[s] = waysTo (sample_[s], Row (row.data (), row_length, 1));
+          }
+        },
+        64);
+    return ways;
+  }
+
+  /** Notes the steps of the nodes where none was noted yet. */
+  bool
+  showLayers (const std::vector<Ways>& ways, const Planes& planes)
+  {
+    std::vector<Eigen::Vector3d> normals;
+    for (const auto& plane : planes)
+      if (plane)
+        normals.push_back (*plane);
+    const Eigen::Vector3d common = commonNormal (normals);
+    double parallel = 0, off = 0, stepped = 0;
+    for (std::size_t s = 0; s < planes.size (); ++s)
+      if (planes[s] && areParallel (*planes[s], common)) {
+        const LayerSurrounding surrounding = layerSurrounding (ways[s], common);
+        parallel += 1;
+        off += surrounding.is_off ? 1 : 0;
+        stepped += surrounding.step > 0 ? 1 : 0;
+        if (steps_[s] == 0)
+          steps_[s] = static_cast<float> (surrounding.step);
+      }
+    const auto all = static_cast<double> (planes.size ()), flat = static_cast<double> (normals.size ());
+    return flat > min_share_flat * all && parallel > min_share_parallel * flat &&
+           off > std::max (min_share_off * flat, min_count_off) && stepped > min_share_stepped * off;
+  }
+
+  std::vector<LocalValue>
+  inPlace (const std::vector<float>& values) const
+  {
+    std::vector<LocalValue> local;
+    for (std::size_t s = 0; s < sample_.size (); ++s)
+      local.push_back ({nodes_.base[sample_[s]], values[s]});
+    return local;
+  }
+
+  const NeighborGraph& graph_;
+  const Positions& nodes_;
+  const Execution& execution_;
+  std::vector<std::uint32_t> sample_;
+  std::vector<float> halvings_; // until the nearest of a point of the sample are not in a plane
+  std::vector<float> steps_;    // to the next layer, 0 where none was seen
+};
+} // namespace
+
+LayerEstimate
+estimateLayers (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+{
+  const Execution silent = execution.silent ();
+  LayerFinder finder (graph, nodes, silent);
+  return finder.mayHaveLayers () ? finder.find () : LayerEstimate ();
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/layer_bridging.h>
+#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+// Beyond this many standard deviations of the noise no point has any business.
+constexpr float displacement_sigmas = 5;
+// Two points of one sheet hardly lie farther apart across it.
+constexpr float sheet_sigmas = 4;
+// Sheets are told apart where they are more than a spacing or so apart, however large the noise seems for their sake.
+constexpr float test_spacings = 1.2f;
+// Of the way to another sheet: a point of the own one too few is better than one of the other.
+constexpr float share_of_gap = .36f;
+// The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
+constexpr float sheet_noise_factor = 1.4f;
+// Of the noise: where sheets are told apart that nobody saw, less than this is not what noise leaves.
+constexpr float noise_of_layers = .25f;
+
+/** What is given counts before what is estimated. */
+NoiseEstimate
+knownNoise (const NoiseEstimate& estimated, const SmoothingOptions& options)
+{
+  const NoiseEstimate& given = options.rounds.noise;
+  return {given.sigma >= 0 ? given.sigma : estimated.sigma, given.spacing >= 0 ? given.spacing : estimated.spacing,
+          options.noise_varies ? estimated.field : given.field};
+}
+
+/** Where no sheets are seen: above the noise everywhere. */
+float
+sheetSigmas (const NoiseEstimate& noise)
+{
+  const float usual = sheet_sigmas * noise.sigma, largest = usual * noise.field.largestFactor ();
+  return std::max (usual, std::min (largest, test_spacings * noise.spacing));
+}
+
+/** The noise has to be estimated. */
+bool
+needsNoise (const SmoothingOptions& options)
+{
+  const NoiseEstimate& noise = options.rounds.noise;
+  return options.noise_varies || !(noise.sigma >= 0 && noise.spacing >= 0);
+}
+
+/** The distance by which sheets are looked for; infinity where they are not to be. */
+float
+sheetTestDistance (const NoiseEstimate& noise, const SmoothingOptions& options)
+{
+  const NoiseEstimate known = knownNoise (noise, options);
+  if (options.rounds.oriented || options.rounds.sheet_distance >= 0 || !(known.sigma > 0))
+    return std::numeric_limits<float>::infinity ();
+  return std::min (sheet_sigmas * known.sigma, test_spacings * known.spacing);
+}
+
+/** Sets the distance of the sheets where it is to be estimated. \return whether anything will move */
+bool
+setSheetDistance (const NoiseEstimate& noise, const SheetEstimate& sheets, SmoothingOptions& options)
+{
+  const NoiseEstimate known = knownNoise (noise, options);
+  float& distance = options.rounds.sheet_distance;
+  if (sheets.gap > 0)
+    distance = std::min (sheetTestDistance (noise, options), share_of_gap * sheets.gap);
+  else if (distance < 0)
+    distance = sheetSigmas (known);
+  return known.sigma > 0;
+}
+
+/** The estimate where the sheets were separated, from those before and after; sigma 0: too little is left to tell. */
+NoiseEstimate
+chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated, const SheetEstimate& sheets)
+{
+  const float of_rows = std::min (separated.sigma, 1.2f * mixed.sigma), of_sheets = sheet_noise_factor * sheets.sigma;
+  const float sigma = std::max (of_rows, of_sheets);
+  return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing, separated.field};
+}
+
+/** Sets whatever else is to be estimated. */
+void
+setNoise (const NoiseEstimate& noise, SmoothingOptions& options)
+{
+  RobustSmoothingOptions& rounds = options.rounds;
+  rounds.noise.sigma = rounds.noise.sigma < 0 ? noise.sigma : rounds.noise.sigma;
+  rounds.noise.spacing = rounds.noise.spacing < 0 ? noise.spacing : rounds.noise.spacing;
+  if (std::exchange (options.noise_varies, false))
+    rounds.noise.field = noise.field;
+  if (!std::isfinite (rounds.max_displacement) && rounds.noise.sigma > 0)
+    rounds.max_displacement = displacement_sigmas * rounds.noise.sigma * rounds.noise.field.largestFactor ();
+}
+
+/** A cloud that is seen as a whole. */
+class WholeCloud : public SmoothingPreparation
+{
+public:
+  /** \param[in,out] graph kept, as everything else, while this is used */
+  WholeCloud (const Positions& positions,
+              const Vectors& normals,
+              const Execution& execution,
+              NeighborGraph::ConstPtr& graph)
+  : positions_ (positions), normals_ (normals), execution_ (execution), graph_ (graph), mixed_ (graph)
+  {}
+
+  /** \return whether there are layers */
+  bool
+  widenInLayers ()
+  {
+    layers_ = estimateLayers (*mixed_, positions_, execution_);
+    if (const auto wide = bridgeLayers (*mixed_, positions_, layers_, execution_))
+      graph_ = mixed_ = wide;
+    else
+      layers_ = {};
+    return layers_.hasLayers ();
+  }
+
+protected:
+  NoiseEstimate
+  mixedNoise () override
+  {
+    return noiseBy (sampleNoise (*graph_, positions_, execution_));
+  }
+
+  SheetEstimate
+  sheets (float distance) override
+  {
+    return estimateSheets (*graph_, positions_, distance, execution_);
+  }
+
+  bool
+  separate (const SmoothingOptions& options) override
+  {
+    const SheetSeparationOptions by = separation (options, normals_);
+    if (separationDepth (by) < 0)
+      return false;
+    graph_ = separateSheets (mixed_, positions_, by, execution_);
+    return graph_ != mixed_ || mixed_->minRowLength () < noise_row_length;
+  }
+
+  NoiseEstimate
+  separatedNoise () override
+  {
+    const std::vector<std::uint32_t> sample = noiseSampleNodes (positions_, positions_.size ());
+    return noiseBy (sampleNoise (*graph_, positions_, sample, positions_.size (), execution_));
+  }
+
+  void
+  mix () override
+  {
+    graph_ = mixed_;
+  }
+
+private:
+  NoiseEstimate
+  noiseBy (const NoiseSample& sample) const
+  {
+    return layers_.hasLayers () ? estimateNoise (sample, layers_) : estimateNoise (sample);
+  }
+
+  const Positions& positions_;
+  const Vectors& normals_;
+  const Execution& execution_;
+  NeighborGraph::ConstPtr& graph_;
+  NeighborGraph::ConstPtr mixed_; // before sheets were separated
+  LayerEstimate layers_;          // that are bridged
+};
+} // namespace
+
+SheetSeparationOptions
+SmoothingPreparation::separation (const SmoothingOptions& options, const Vectors& normals)
+{
+  return {options.rounds.sheet_distance, options.rounds.oriented ? &normals : nullptr};
+}
+
+bool
+SmoothingPreparation::areLayers (const NoiseEstimate& mixed,
+                                 const NoiseEstimate& separated,
+                                 const SheetEstimate& sheets)
+{
+  return !(sheets.gap > 0) && separated.spacing > 0 && separated.sigma < noise_of_layers * mixed.sigma;
+}
+
+void
+SmoothingPreparation::complete (SmoothingOptions& options)
+{
+  if (!options.robust)
+    return;
+  const bool estimates = needsNoise (options);
+  const bool estimates_sheets = options.rounds.sheet_distance < 0 && !options.rounds.oriented;
+  NoiseEstimate noise = estimates ? mixedNoise () : NoiseEstimate ();
+  const SheetEstimate seen = sheets (sheetTestDistance (noise, options));
+  const bool moves = setSheetDistance (noise, seen, options);
+  if (moves && separate (options) && estimates) {
+    const NoiseEstimate separated = separatedNoise ();
+    if (estimates_sheets && areLayers (noise, separated, seen)) {
+      mix ();
+      options.rounds.sheet_distance = std::numeric_limits<float>::infinity ();
+    }
+    else
+      noise = chooseNoise (noise, separated, seen);
+  }
+  setNoise (noise, options);
+}
+
+void
+prepareSmoothing (const Positions& positions,
+                  const Vectors& normals,
+                  const Execution& execution,
+                  NeighborGraph::ConstPtr& graph,
+                  SmoothingOptions& options)
+{
+  WholeCloud cloud (positions, normals, execution, graph);
+  options.bridge_layers = options.robust && options.bridge_layers && cloud.widenInLayers ();
+  cloud.complete (options);
+}
+} // namespace core
+} // namespace pcl_normal_smoothing
