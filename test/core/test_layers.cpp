@@ -114,6 +114,18 @@ stairs ()
   return points;
 }
 
+/** Flat roofs of ten spacings and all heights; nothing between. */
+Vectors
+roofs ()
+{
+  Vectors points = planeGrid (side, spacing).points;
+  for (auto& p : points) {
+    const int roof = 9 * static_cast<int> (p.x () / (10 * spacing)) + static_cast<int> (p.y () / (10 * spacing));
+    p.z () = 8 * spacing * static_cast<float> (uniformNoise (5, static_cast<std::uint64_t> (roof)));
+  }
+  return points;
+}
+
 double
 meanError (const Vectors& points, const Surface& surface)
 {
@@ -153,9 +165,10 @@ TEST (LayersTest, CleanShapesHaveNone)
   EXPECT_FALSE (haveLayers (plane));
   EXPECT_FALSE (haveLayers (cube (40, 0.4).points));
   EXPECT_FALSE (haveLayers (sphere (8000, 0.3).points));
-  for (const float gap : {1.5f, 2.0f, 3.0f, 6.0f})
+  for (const float gap : {1.5f, 2.0f, 3.0f, 6.0f, 8.0f})
     EXPECT_FALSE (haveLayers (parallelSheets (side, spacing, gap * spacing).points)) << gap;
   EXPECT_FALSE (haveLayers (stairs ()));
+  EXPECT_FALSE (haveLayers (roofs ()));
   EXPECT_FALSE (haveLayers (joined ({cylinder (188, 60, 0.3, 0.6).points, disc (0.3, 0.3f), disc (0.3, -0.3f)})));
 }
 
