@@ -74,6 +74,13 @@ areAlike (const std::vector<LocalValue>& steps, float spacing)
   return quantile (deviations, .5) < max_deviation;
 }
 
+/** Where there is rounding alone, all steps are clear; noise before it frays them. */
+float
+noiseOfStep (double order)
+{
+  return static_cast<float> (.29 + .5 * (1 - order));
+}
+
 float
 spacingOf (const std::vector<Ways>& ways)
 {
@@ -126,7 +133,7 @@ public:
                  steps.end ());
     if (!have_layers || !(spacing > 0) || !areAlike (steps, spacing))
       return {};
-    return {regionalMedians (inPlace (halvings_), spacing), regionalMedians (steps, spacing)};
+    return {regionalMedians (inPlace (halvings_), spacing), regionalMedians (steps, spacing), noiseOfStep (order_)};
   }
 
 private:
@@ -179,8 +186,11 @@ private:
           steps_[s] = static_cast<float> (surrounding.step);
       }
     const auto all = static_cast<double> (planes.size ()), flat = static_cast<double> (normals.size ());
-    return flat > min_share_flat * all && parallel > min_share_parallel * flat &&
-           off > std::max (min_share_off * flat, min_count_off) && stepped > min_share_stepped * off;
+    if (flat <= min_share_flat * all || parallel <= min_share_parallel * flat ||
+        off <= std::max (min_share_off * flat, min_count_off) || stepped <= min_share_stepped * off)
+      return false;
+    order_ = std::max (order_, stepped / off);
+    return true;
   }
 
   std::vector<LocalValue>
@@ -198,6 +208,7 @@ private:
   std::vector<std::uint32_t> sample_;
   std::vector<float> halvings_; // until the nearest of a point of the sample are not in a plane
   std::vector<float> steps_;    // to the next layer, 0 where none was seen
+  double order_ = 0;            // at best, the share of the points off which there is anything, that see a layer
 };
 } // namespace
 

@@ -12,8 +12,6 @@ namespace core
 {
 namespace
 {
-// Rounding alone makes .29; a camera's own noise moves what is rounded.
-constexpr float sigma_of_step = .43f;
 constexpr double pi = 3.14159265358979;
 
 /** The variance at no size of neighbourhood, from those at a small and a large one: curvature adds to the larger more. But
@@ -180,7 +178,7 @@ estimateNoise (NoiseSample sample, const LayerEstimate& layers)
   const float step = quantile (steps, .5);
   sample.dropPlanes ();
   NoiseEstimate noise = estimateNoise (sample);
-  noise.sigma = std::max (noise.sigma, sigma_of_step * step);
+  noise.sigma = std::max (noise.sigma, layers.noise_of_step * step);
   noise.field = relativeField (layers.steps, step);
   return noise;
 }

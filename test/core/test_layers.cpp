@@ -251,9 +251,22 @@ TEST (LayersTest, TheNoiseIsThatOfTheSteps)
     const Searched cloud (inSteps (tilted, step));
     const NoiseEstimate noise = estimateNoise (*cloud.graph, cloud.nodes, Execution (2));
     EXPECT_GT (noise.sigma, step / std::sqrt (12.0)) << step;
-    EXPECT_LT (noise.sigma, 0.6 * step) << step;
+    EXPECT_LT (noise.sigma, 0.4 * step) << step;
     EXPECT_NEAR (noise.spacing, spacing, 0.2 * spacing) << "of the cloud, not of the wide neighbourhoods";
   }
+}
+
+TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
+{
+  const double step = 0.02;
+  const auto frayed = [&] (double x, double y) {
+    const auto place =
+        static_cast<std::uint64_t> (std::lround (x / (3 * spacing)) * 1000 + std::lround (y / (3 * spacing)));
+    return tilted (x, y) + 0.5 * step * gaussianNoise (7, place); // alike in patches of 3 x 3 pixels
+  };
+  const Searched clear (inSteps (tilted, step)), noisy (inSteps (frayed, step));
+  ASSERT_TRUE (noisy.layers ().hasLayers ());
+  EXPECT_GT (noisy.layers ().noise_of_step, clear.layers ().noise_of_step + 0.1f);
 }
 
 class LayersPresets : public testing::TestWithParam<bool>

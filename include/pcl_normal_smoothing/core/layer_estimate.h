@@ -17,6 +17,8 @@ struct LayerEstimate
   RegionalField halvings;
   /** From one layer to the next, in the unit of the positions. */
   RegionalField steps;
+  /** Sigma over the step. */
+  float noise_of_step = 0;
 
   bool
   hasLayers () const
