@@ -39,7 +39,7 @@ public:
   /** There are none, or they lie in one plane, to one side of the node, and not to that where those of its own plane are, as at the
     * rim of a plate. */
   bool
-  isBesides (const Part& own) const
+  isNextLayer (const Part& own) const
   {
     return count_ == 0 || (highest_ < max_highest_over_lowest * lowest_ && sum_.norm () > min_share_aside * length_ &&
                            own.mean ().dot (mean ()) < max_share_beneath * mean ().squaredNorm ());
@@ -69,7 +69,6 @@ private:
   Eigen::Vector3d sum_ = Eigen::Vector3d::Zero ();
   int count_ = 0;
 };
-
 } // namespace
 
 std::optional<Eigen::Vector3d>
@@ -105,7 +104,7 @@ layerSurrounding (const Ways& ways, const Eigen::Vector3d& normal)
   }
   if (above.count () + below.count () < min_neighbors_off)
     return {false, 0};
-  const bool are_layers = above.isBesides (own) && below.isBesides (own);
+  const bool are_layers = above.isNextLayer (own) && below.isNextLayer (own);
   return {true, are_layers ? std::min (above.lowest (), below.lowest ()) : 0};
 }
 } // namespace core

@@ -172,12 +172,16 @@ estimateNoise (const NoiseSample& sample)
 NoiseEstimate
 estimateNoise (NoiseSample sample, const LayerEstimate& layers)
 {
+  NoiseEstimate noise = estimateNoise (sample);
   std::vector<float> steps;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes)
     steps.push_back (layers.steps.valueAt (residuals.place, 0));
   const float step = quantile (steps, .5);
+  if (!(noise.spacing > 0 && step > 0))
+    return noise;
   sample.dropPlanes ();
-  NoiseEstimate noise = estimateNoise (sample);
+  if (!sample.of_nodes.empty ())
+    noise = estimateNoise (sample);
   noise.sigma = std::max (noise.sigma, layers.noise_of_step * step);
   noise.field = relativeField (layers.steps, step);
   return noise;

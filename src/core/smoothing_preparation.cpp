@@ -74,13 +74,13 @@ setSheetDistance (const NoiseEstimate& noise, const SheetEstimate& sheets, Smoot
   return known.sigma > 0;
 }
 
-/** The estimate where the sheets were separated, from those before and after; sigma 0: too little is left to tell. */
+/** The estimate where the sheets were separated, from those before and after; that is nothing where too little is left to tell. */
 NoiseEstimate
 chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated, const SheetEstimate& sheets)
 {
   const float of_rows = std::min (separated.sigma, 1.2f * mixed.sigma), of_sheets = sheet_noise_factor * sheets.sigma;
   const float sigma = std::max (of_rows, of_sheets);
-  return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing, separated.field};
+  return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing, separated.spacing > 0 ? separated.field : mixed.field};
 }
 
 /** Sets whatever else is to be estimated. */
@@ -196,7 +196,8 @@ SmoothingPreparation::complete (SmoothingOptions& options)
   NoiseEstimate noise = estimates ? mixedNoise () : NoiseEstimate ();
   const SheetEstimate seen = sheets (sheetTestDistance (noise, options));
   const bool moves = setSheetDistance (noise, seen, options);
-  if (moves && separate (options) && estimates) {
+  const bool changes = moves && separate (options);
+  if (estimates && moves && (changes || seen.gap > 0)) {
     const NoiseEstimate separated = separatedNoise ();
     if (estimates_sheets && areLayers (noise, separated, seen)) {
       mix ();

@@ -269,6 +269,19 @@ TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
   EXPECT_GT (noisy.layers ().noise_of_step, clear.layers ().noise_of_step + 0.1f);
 }
 
+TEST (LayersTest, FewNeighboursAreEnough)
+{
+  const Vectors points = inSteps (tilted, 0.02);
+  SmoothingOptions options = robustOptions (false);
+  options.rounds.sheet_distance = -1;
+  const Searched cloud (points, {8});
+  NeighborGraph::ConstPtr graph = cloud.graph;
+  prepareSmoothing (cloud.nodes, {}, Execution (2), graph, options);
+  EXPECT_TRUE (options.bridge_layers);
+  EXPECT_GT (options.rounds.noise.sigma, 0.005f);
+  EXPECT_LT (options.rounds.noise.field.largestFactor (), 1.5f);
+}
+
 class LayersPresets : public testing::TestWithParam<bool>
 {};
 

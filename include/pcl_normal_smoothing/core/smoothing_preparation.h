@@ -52,7 +52,7 @@ protected:
   virtual SheetEstimate
   sheets (float distance) = 0;
 
-  /** From now on neighbourhoods keep to one sheet. \return false: none changes, and the noise would be the same */
+  /** From now on neighbourhoods keep to one sheet. \return false: none changes, and noise by quadrics would be the same */
   virtual bool
   separate (const SmoothingOptions& options) = 0;
 
