@@ -36,6 +36,35 @@ protected:
     return smoothed ("wave.pcd out.pcd " + options);
   }
 
+  /** Over a grid of 50 x 50 points, in place of the wave. */
+  template <typename Heights>
+  void
+  saveHeights (const Heights& height) const
+  {
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (int i = 0; i < 2500; ++i) {
+      const float x = static_cast<float> (i % 50) / 50, y = static_cast<float> (i / 50) / 50;
+      cloud.emplace_back (x, y, height (x, y));
+    }
+    tools::CloudFile file;
+    file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
+    pcl::toPCLPointCloud2 (cloud, *file.cloud);
+    savePcd (file, path ("wave.pcd"));
+  }
+
+  /** What was found in the wave is printed as \a option 1, which gives the same again; 0 does not. */
+  void
+  expectSaid (const std::string& option)
+  {
+    for (const std::string preset : {"", "-preset fast"}) {
+      const std::string expected = smoothedWave (preset), parameters = parameters_;
+      EXPECT_NE (parameters.find (option + " 1"), std::string::npos) << parameters;
+      EXPECT_TRUE (smoothedWave (parameters) == expected) << parameters;
+      EXPECT_EQ (parameters_, parameters);
+      EXPECT_TRUE (smoothedWave (option + " 0 " + preset) != expected) << "the test is of no use";
+    }
+  }
+
   std::string parameters_;
 };
 
@@ -76,42 +105,15 @@ TEST_F (SmoothingTool, PrintedParametersSayThatTheNoiseVaries)
 {
   std::mt19937 random (1);
   std::normal_distribution<float> noise;
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (int i = 0; i < 2500; ++i) {
-    const float x = static_cast<float> (i % 50) / 50, y = static_cast<float> (i / 50) / 50;
-    cloud.emplace_back (x, y, (0.001f + 0.008f * x) * noise (random));
-  }
-  tools::CloudFile file;
-  file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
-  pcl::toPCLPointCloud2 (cloud, *file.cloud);
-  savePcd (file, path ("wave.pcd"));
-  for (const std::string preset : {"", "-preset fast"}) {
-    const std::string expected = smoothedWave (preset), parameters = parameters_;
-    EXPECT_NE (parameters.find ("-noise_varies 1"), std::string::npos) << parameters;
-    EXPECT_EQ (smoothedWave (parameters), expected) << parameters;
-    EXPECT_EQ (parameters_, parameters);
-    EXPECT_NE (smoothedWave ("-noise_varies 0 " + preset), expected) << "the test is of no use";
-  }
+  saveHeights ([&] (float x, float) { return (0.001f + 0.008f * x) * noise (random); });
+  expectSaid ("-noise_varies");
 }
 
 TEST_F (SmoothingTool, PrintedParametersSayThatLayersAreBridged)
 {
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (int i = 0; i < 2500; ++i) {
-    const float x = static_cast<float> (i % 50) / 50, y = static_cast<float> (i / 50) / 50;
-    cloud.emplace_back (x, y, 0.04f * std::round (10 * x + 2 * y)); // steps of two spacings, five wide
-  }
-  tools::CloudFile file;
-  file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
-  pcl::toPCLPointCloud2 (cloud, *file.cloud);
-  savePcd (file, path ("wave.pcd"));
-  for (const std::string preset : {"", "-preset fast"}) {
-    const std::string expected = smoothedWave (preset), parameters = parameters_;
-    EXPECT_NE (parameters.find ("-bridge_layers 1"), std::string::npos) << parameters;
-    EXPECT_TRUE (smoothedWave (parameters) == expected) << parameters;
-    EXPECT_EQ (parameters_, parameters);
-    EXPECT_TRUE (smoothedWave ("-bridge_layers 0 " + preset) != expected) << "the test is of no use";
-  }
+  saveHeights (
+      [] (float x, float y) { return 0.04f * std::round (10 * x + 2 * y); }); // steps of two spacings, five wide
+  expectSaid ("-bridge_layers");
 }
 
 TEST_F (SmoothingTool, ThreadsDoNotMatter)
