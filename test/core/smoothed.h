@@ -13,6 +13,20 @@ struct Smoothed
   Vectors normals;
 };
 
+/** The presets default and fast: rounds, what they need to be estimated, with even noise and no layers. */
+inline pcl_normal_smoothing::core::SmoothingOptions
+robustOptions (bool fast)
+{
+  pcl_normal_smoothing::core::SmoothingOptions options;
+  options.robust = true;
+  options.rounds.noise = {-1, -1};
+  options.rounds.fast = fast;
+  options.rounds.rounds = fast ? 3 : 6;
+  if (!fast)
+    options.rounds.sheet_distance = -1;
+  return options;
+}
+
 /** The whole method, in the order of the cloud.
   * \param[in] normals for NormalSource::INPUT */
 inline Smoothed

@@ -77,23 +77,15 @@ haveLayers (const Vectors& points)
   return Searched (points).layers ().hasLayers ();
 }
 
+/** The caps are rings a spacing apart. */
 Vectors
-joined (const std::vector<Vectors>& parts)
+cappedCylinder ()
 {
-  Vectors all;
-  for (const Vectors& part : parts)
-    all.insert (all.end (), part.begin (), part.end ());
-  return all;
-}
-
-/** A disc of rings a spacing apart. */
-Vectors
-disc (double radius, float z)
-{
-  Vectors points;
-  for (double r = spacing; r < radius; r += spacing)
-    for (double angle = 0; angle < 2 * M_PI; angle += spacing / r)
-      points.emplace_back (static_cast<float> (r * std::cos (angle)), static_cast<float> (r * std::sin (angle)), z);
+  Vectors points = cylinder (188, 60, 0.3, 0.6).points;
+  for (const float z : {-0.3f, 0.3f})
+    for (double r = spacing; r < 0.3; r += spacing)
+      for (double angle = 0; angle < 2 * M_PI; angle += spacing / r)
+        points.emplace_back (static_cast<float> (r * std::cos (angle)), static_cast<float> (r * std::sin (angle)), z);
   return points;
 }
 
@@ -136,13 +128,10 @@ meanError (const Vectors& points, const Surface& surface)
 }
 
 SmoothingOptions
-robustOptions (bool fast)
+bridgingOptions (bool fast)
 {
-  SmoothingOptions options;
-  options.robust = options.noise_varies = options.bridge_layers = true;
-  options.rounds.noise = {-1, -1};
-  options.rounds.fast = fast;
-  options.rounds.rounds = fast ? 3 : 6;
+  SmoothingOptions options = robustOptions (fast);
+  options.noise_varies = options.bridge_layers = true;
   return options;
 }
 
@@ -169,7 +158,7 @@ TEST (LayersTest, CleanShapesHaveNone)
     EXPECT_FALSE (haveLayers (parallelSheets (side, spacing, gap * spacing).points)) << gap;
   EXPECT_FALSE (haveLayers (stairs ()));
   EXPECT_FALSE (haveLayers (roofs ()));
-  EXPECT_FALSE (haveLayers (joined ({cylinder (188, 60, 0.3, 0.6).points, disc (0.3, 0.3f), disc (0.3, -0.3f)})));
+  EXPECT_FALSE (haveLayers (cappedCylinder ()));
 }
 
 TEST (LayersTest, SurfacesWithNoiseHaveNone)
@@ -272,8 +261,7 @@ TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
 TEST (LayersTest, FewNeighboursAreEnough)
 {
   const Vectors points = inSteps (tilted, 0.02);
-  SmoothingOptions options = robustOptions (false);
-  options.rounds.sheet_distance = -1;
+  SmoothingOptions options = bridgingOptions (false);
   const Searched cloud (points, {8});
   NeighborGraph::ConstPtr graph = cloud.graph;
   prepareSmoothing (cloud.nodes, {}, Execution (2), graph, options);
@@ -291,7 +279,7 @@ TEST_P (LayersPresets, WideStepsAreSmoothed)
     for (const Surface& surface : {Surface (tilted), Surface (hill)}) {
       const Vectors points = inSteps (surface, step);
       const std::uint32_t k = GetParam () ? 16 : 32;
-      SmoothingOptions options = robustOptions (GetParam ());
+      SmoothingOptions options = bridgingOptions (GetParam ());
       const double before = meanError (points, surface);
       const Vectors bridged = sum (points, smoothed (asPositions (points), k, options).displacements);
       EXPECT_LT (meanError (bridged, surface), 0.6 * before) << step;

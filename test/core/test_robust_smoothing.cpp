@@ -14,19 +14,6 @@ using namespace pcl_normal_smoothing;
 using namespace pcl_normal_smoothing::core;
 using namespace test_support;
 
-SmoothingOptions
-robustOptions (bool fast)
-{
-  SmoothingOptions options;
-  options.robust = true;
-  options.rounds.noise = {-1, -1};
-  options.rounds.fast = fast;
-  options.rounds.rounds = fast ? 3 : 6;
-  if (!fast)
-    options.rounds.sheet_distance = -1;
-  return options;
-}
-
 Vectors
 smoothedPoints (const Vectors& points, bool fast)
 {
