@@ -28,14 +28,12 @@ using Triple = std::array<std::uint32_t, 3>;
 class RandomStream
 {
 public:
-  RandomStream (std::uint64_t seed, const Eigen::Vector3f& point) : state_ (seed)
+  /** \param[in] base, offset of the point, as in Positions */
+  RandomStream (std::uint64_t seed, const Eigen::Vector3f& base, const Eigen::Vector3f& offset) : state_ (seed)
   {
-    for (int d = 0; d < 3; ++d) {
-      const float coordinate = point[d] + 0.0f; // -0 begins the same stream as 0
-      std::uint32_t bits;
-      std::memcpy (&bits, &coordinate, sizeof bits);
-      state_ = next () ^ bits;
-    }
+    mix (base);
+    if (offset != Eigen::Vector3f (0, 0, 0)) // in double, far from the origin, many points have one base
+      mix (offset);
   }
 
   std::uint64_t
@@ -56,13 +54,24 @@ public:
   }
 
 private:
+  void
+  mix (const Eigen::Vector3f& coordinates)
+  {
+    for (int d = 0; d < 3; ++d) {
+      const float coordinate = coordinates[d] + 0.0f; // -0 begins the same stream as 0
+      std::uint32_t bits;
+      std::memcpy (&bits, &coordinate, sizeof bits);
+      state_ = next () ^ bits;
+    }
+  }
+
   std::uint64_t state_;
 };
 
 std::vector<RowMajorMatrix>
 randomRotations (int count, std::uint64_t seed)
 {
-  RandomStream random (seed, Eigen::Vector3f::Zero ());
+  RandomStream random (seed, Eigen::Vector3f::Zero (), Eigen::Vector3f::Zero ());
   const auto symmetric = [&] { return static_cast<float> (random.next () >> 40) / (1u << 23) - 1.0f; };
   std::vector<RowMajorMatrix> rotations;
   while (rotations.size () < static_cast<std::size_t> (count)) {
@@ -197,7 +206,7 @@ HoughEstimator::estimate (const Neighborhood& neighborhood) const
   for (Eigen::Vector3f& point : points)
     point *= scale;
   TripleSource triples (static_cast<std::uint32_t> (points.size ()), max_triples_,
-                        RandomStream (options_.seed, neighborhood.base ()));
+                        RandomStream (options_.seed, neighborhood.base (), neighborhood.offset ()));
   std::vector<Bin> bins (binCount ());
   Eigen::Vector3f sum (0, 0, 0);
   for (const RowMajorMatrix& rotation : rotations_) {

@@ -15,19 +15,18 @@ namespace
 constexpr std::size_t noise_sample_size = 4096;
 constexpr std::uint32_t row_length = noise_row_length;
 
-std::uint32_t
-hashOf (const Eigen::Vector3f& point)
+/** \param[in,out] hash of what came before */
+void
+mix (const Eigen::Vector3f& coordinates, std::uint32_t& hash)
 {
-  std::uint32_t hash = 2166136261u;
   for (int d = 0; d < 3; ++d) {
-    const float coordinate = point[d] + 0.0f; // -0 is 0
+    const float coordinate = coordinates[d] + 0.0f; // -0 is 0
     std::uint32_t bits;
     std::memcpy (&bits, &coordinate, sizeof bits);
     hash = (hash ^ bits) * 0x9E3779B1u;
     hash = (hash ^ (hash >> 15)) * 0x85EBCA77u;
     hash ^= hash >> 13;
   }
-  return hash;
 }
 
 /** The neighbourhoods of the nodes in a sample, one after the other, each filled up with the node itself. */
@@ -120,6 +119,16 @@ residualsOf (const Positions& nodes,
 }
 } // namespace
 
+std::uint32_t
+hashOf (const Positions& nodes, std::size_t node)
+{
+  std::uint32_t hash = 2166136261u;
+  mix (nodes.base[node], hash);
+  if (nodes.offset[node] != Eigen::Vector3f (0, 0, 0)) // in double, far from the origin, many points have one base
+    mix (nodes.offset[node], hash);
+  return hash;
+}
+
 std::vector<std::uint32_t>
 sampleNodes (const Positions& nodes, std::uint64_t cloud_size, std::size_t sample_size, const Execution& execution)
 {
@@ -130,7 +139,7 @@ sampleNodes (const Positions& nodes, std::uint64_t cloud_size, std::size_t sampl
   std::vector<std::vector<std::uint32_t>> parts (nodes.size () / part_size + 1);
   const auto find = [&] (std::size_t begin, std::size_t end) {
     for (std::size_t node = begin * part_size; node < std::min (end * part_size, nodes.size ()); ++node)
-      if (hashOf (nodes.base[node]) <= limit)
+      if (hashOf (nodes, node) <= limit)
         parts[node / part_size].push_back (static_cast<std::uint32_t> (node));
   };
   parallelFor (parts.size (), execution.silent (), find, 1);

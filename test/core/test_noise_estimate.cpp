@@ -2,6 +2,7 @@
 #include "shapes.h"
 
 #include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/noise_sample.h>
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,29 @@ TEST (NoiseEstimateTest, ReadsTheNoiseOfKnownShapes)
       EXPECT_GT (read, 0.75 * noise * spacing) << noise;
       EXPECT_LT (read, 1.4 * noise * spacing) << noise;
     }
+  }
+}
+
+/** A grid of so many points a side, .01 apart, where float has steps of half a unit. */
+Positions
+farGrid (int side)
+{
+  Positions far;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const Eigen::Vector3d point (4e6 + .01 * i, 8e6 + .01 * j, 5e6);
+      far.base.push_back (point.cast<float> ());
+      far.offset.push_back ((point - far.base.back ().cast<double> ()).cast<float> ());
+    }
+  return far;
+}
+
+TEST (NoiseEstimateTest, TheSampleIsAsLargeFarFromTheOrigin)
+{
+  const Positions far = farGrid (200);
+  for (const std::size_t size : {500, 4000}) {
+    const auto sample = static_cast<double> (sampleNodes (far, far.size (), size, Execution (1)).size ());
+    EXPECT_NEAR (sample / static_cast<double> (size), 1, .15);
   }
 }
 

@@ -125,6 +125,13 @@ public:
     return base_;
   }
 
+  /** What p_i is besides. */
+  const Eigen::Vector3f&
+  offset () const
+  {
+    return offset_;
+  }
+
 private:
   const Positions& surface_;
   Eigen::Vector3f base_;
