@@ -2,6 +2,7 @@
 #include <pcl_normal_smoothing/core/layer_bridging.h>
 #include <pcl_normal_smoothing/core/noise_estimate.h>
 #include <pcl_normal_smoothing/core/quantile.h>
+#include <pcl_normal_smoothing/core/residual_quantiles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,24 +14,6 @@ namespace core
 namespace
 {
 constexpr double pi = 3.14159265358979;
-
-/** The variance at no size of neighbourhood, from those at a small and a large one: curvature adds to the larger more. But
-  * where it is many times the smaller, the neighbourhoods do not fit a quadric, and the difference tells nothing. */
-double
-extrapolated (double small, double large, double slope, double largest_excess)
-{
-  const double excess = std::max (0.0, large - small);
-  const double trust = std::clamp (2 - excess / (largest_excess * small + 1e-30), 0.0, 1.0);
-  return std::max (small - slope * trust * excess, 0.2 * small);
-}
-
-/** Coordinates in steps as large as the noise (depth cameras): the eight nearest points often lie in one plane exactly, and
-  * show far less than the larger neighbourhoods, which agree. Curvature makes them differ too. */
-bool
-isQuantised (double of_8, double of_12, double of_16)
-{
-  return of_12 > 5 * of_8 && of_16 < 1.3 * of_12;
-}
 
 double
 spacingOf (double distance_of_eighth)
@@ -72,46 +55,15 @@ correctionsOf (const NoiseSample& sample, const NoiseEstimate& noise)
   return factors;
 }
 
-/** Those through the 8, 12 and 16 nearest. */
-using Variances = std::array<std::vector<float>, 3>;
-
-Variances
+ResidualVariances
 corrected (const NoiseSample& sample, const Factors& factors)
 {
-  Variances variances;
+  ResidualVariances variances;
   for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
     for (std::size_t i = 0; i < variances.size (); ++i)
       if (const float variance = sample.of_nodes[s].variances[i]; std::isfinite (variance))
         variances[i].push_back (static_cast<float> (factors[s] * factors[s] * variance));
   return variances;
-}
-
-// Quantiles over those of chi-square by its 2, 6 and 10 degrees of freedom.
-double
-lowerQuartile (const Variances& variances, std::size_t i)
-{
-  constexpr std::array<double, 3> of_chi_square = {.2877, .5758, .6737};
-  return quantile (variances[i], .25) / of_chi_square[i];
-}
-
-/** Which neighbourhoods tell most of the noise alone. */
-std::size_t
-smallestToTrust (const Variances& variances)
-{
-  return isQuantised (lowerQuartile (variances, 0), lowerQuartile (variances, 1), lowerQuartile (variances, 2)) ? 1 : 0;
-}
-
-/** Edges spoil the upper quantiles, other sheets all but the lower ones. */
-double
-sigmaBy (const Variances& variances)
-{
-  const double lower_8 = lowerQuartile (variances, smallestToTrust (variances)),
-               lower_12 = lowerQuartile (variances, 1);
-  const auto& [of_8, of_12, of_16] = variances;
-  const double lower = extrapolated (lower_8, lower_12, .3, 2.5), lowest = extrapolated (lower_8, lower_12, .9, 2.5);
-  const double median = extrapolated (quantile (of_8, .5) / .6931, quantile (of_12, .5) / .891, .3, 2.5);
-  const double upper = extrapolated (quantile (of_8, .75) / 1.3863, quantile (of_16, .75) / 1.2549, .4, 3);
-  return std::sqrt (std::min ({1.1 * lower, 1.05 * median, std::max (upper, .75 * lowest)}));
 }
 
 NoiseField
@@ -128,10 +80,15 @@ fieldOf (const NoiseSample& sample, const NoiseEstimate& noise)
 
 /** \param[in,out] noise, its spacing and field known */
 void
-estimateSigma (const NoiseSample& sample, int iterations, NoiseEstimate& noise)
+estimateSigma (const NoiseSample& sample, NoiseEstimate& noise)
 {
+  constexpr int iterations = 3;
+  double certainty_of_slant = 0;
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    const double sigma = sigmaBy (corrected (sample, correctionsOf (sample, noise)));
+    const ResidualVariances variances = corrected (sample, correctionsOf (sample, noise));
+    if (iteration == 0) // the larger sigma is, the more does density seem to explain
+      certainty_of_slant = certaintyOfSlant (variances);
+    const double sigma = sigmaBy (variances, certainty_of_slant);
     noise.sigma = static_cast<float> (sigma * whatQuadricsFollow (sigma / noise.spacing));
   }
 }
@@ -162,10 +119,10 @@ estimateNoise (const NoiseSample& sample)
     return {};
   NoiseEstimate noise;
   noise.spacing = static_cast<float> (spacing);
-  estimateSigma (sample, 3, noise);
+  estimateSigma (sample, noise);
   noise.field = fieldOf (sample, noise);
   if (!noise.field.isEven ())
-    estimateSigma (sample, 3, noise);
+    estimateSigma (sample, noise);
   return noise;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scanned_room.h"
 #include "shapes.h"
 
 #include <pcl_normal_smoothing/core/noise_estimate.h>
@@ -66,6 +67,25 @@ TEST (NoiseEstimateTest, TheSampleIsAsLargeFarFromTheOrigin)
   for (const std::size_t size : {500, 4000}) {
     const auto sample = static_cast<double> (sampleNodes (far, far.size (), size, Execution (1)).size ());
     EXPECT_NEAR (sample / static_cast<double> (size), 1, .15);
+  }
+}
+
+TEST (NoiseEstimateTest, NoiseAlongRaysIsThatOfSurfacesThatFaceThem)
+{
+  for (const double noise : {0.005, 0.01, 0.03}) {
+    const double read = estimateOf (ScannedRoom (60, 1, 1, noise).points).sigma;
+    EXPECT_GT (read, 0.8 * noise) << noise;
+    EXPECT_LT (read, 1.7 * noise) << noise;
+  }
+}
+
+TEST (NoiseEstimateTest, OutliersAreNoNoise)
+{
+  for (const std::size_t every : {50, 20}) {
+    Vectors points = noisy (planeGrid (80, 0.01f), 0.001);
+    for (std::size_t i = 0; i < points.size (); i += every)
+      points[i].z () += 0.05f * static_cast<float> (uniformNoise (5, i));
+    EXPECT_LT (estimateOf (points).sigma, 0.0016) << every;
   }
 }
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** What quadrics through the 8, 12 and 16 nearest leave about many points, each as a variance in the square of the positions' unit. */
+using ResidualVariances = std::array<std::vector<float>, 3>;
+
+/** The smallest neighbourhoods that tell of the noise, 0 or 1: coordinates in steps as large as the noise (depth cameras) often put
+  * the eight nearest in one plane exactly. */
+std::size_t
+smallestToTrust (const ResidualVariances& variances);
+
+/** How sure it is, 0 to 1, that the noise goes not along the normal but along rays, and points show less of it where these meet the
+  * surface at a slant: then the lower quantiles are too low for one sigma. Detail and edges make the highest too high instead, and that of
+  * large neighbourhoods most.
+  * \param[in] variances at least one of each size */
+double
+certaintyOfSlant (const ResidualVariances& variances);
+
+/** Sigma of the noise: what is left of the variances without edges, curvature and other sheets; with slant, that of the surfaces
+  * that face the rays.
+  * \param[in] variances at least one of each size */
+double
+sigmaBy (const ResidualVariances& variances, double certainty_of_slant);
+
+/** The same where points lie along lines, of which eight nearest show only one: see estimateLines. */
+double
+sigmaAcrossLines (const ResidualVariances& variances);
+} // namespace core
+} // namespace pcl_normal_smoothing
