@@ -76,7 +76,7 @@ SmoothingSettings::options () const
   overwrite (options.rounds.noise.spacing, point_spacing_);
   overwrite (options.rounds.sheet_distance, sheet_distance_);
   options.noise_varies = noise_varies_.value_or (!noise_sigma_);
-  options.bridge_layers = bridge_layers_;
+  options.bridge_gaps = bridge_gaps_;
   options.update.search_interval = search_interval_;
   options.filter.oriented = options.update.oriented = options.rounds.oriented = oriented_;
   options.hough.seed = seed_;

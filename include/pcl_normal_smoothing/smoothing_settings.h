@@ -138,16 +138,17 @@ public:
     noise_varies_ = varies;
   }
 
-  /** Coordinates may come in steps wider than the spacing of the points, as those of depth cameras do: where the cloud shows
-    * that, neighbourhoods grow until they hold several steps, k as it is. No noise could be seen otherwise. For rounds, and with k
-    * nearest neighbours, not where a radius bounds them. Default: true. */
+  /** There may be gaps that neighbourhoods do not reach across: between the lines of a lidar that turns, and between the layers in which
+    * points lie whose coordinates come in steps, as those of depth cameras do. Where the cloud shows that, neighbourhoods grow until
+    * most see more than one, k as it is. No noise could be seen otherwise. For rounds, and with k nearest neighbours, not where a radius
+    * bounds them. Default: true. */
   void
-  setBridgeLayers (bool bridge)
+  setBridgeGaps (bool bridge)
   {
-    bridge_layers_ = bridge;
+    bridge_gaps_ = bridge;
   }
 
-  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; that of neighbours, where layers are bridged.
+  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; that of neighbours, where gaps are bridged.
     * Default: estimated. */
   void
   setPointSpacing (double spacing)
@@ -209,7 +210,7 @@ private:
   std::optional<double> max_displacement_;
   std::optional<double> noise_sigma_;
   std::optional<bool> noise_varies_;
-  bool bridge_layers_ = true;
+  bool bridge_gaps_ = true;
   std::optional<double> point_spacing_;
   std::optional<double> sheet_distance_;
   int search_interval_ = 0;

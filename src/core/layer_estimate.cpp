@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/layer_estimate.h>
 #include <pcl_normal_smoothing/core/layer_test.h>
-#include <pcl_normal_smoothing/core/noise_sample.h>
 #include <pcl_normal_smoothing/core/quantile.h>
-#include <pcl_normal_smoothing/core/thinned_cloud.h>
+#include <pcl_normal_smoothing/core/thinned_sample.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -17,9 +15,6 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t quick_sample_size = 512;
-constexpr std::size_t sample_size = 4096;
-constexpr std::uint32_t row_length = 32;
 constexpr double cosine_of_parallel = 1 - 1e-5;
 constexpr double min_share_flat = .1;
 constexpr double min_share_parallel = .5; // of those that are flat
@@ -81,91 +76,50 @@ noiseOfStep (double order)
   return static_cast<float> (.29 + .5 * (1 - order));
 }
 
-float
-spacingOf (const std::vector<Ways>& ways)
+/** A first look, for clouds with noise. */
+bool
+mayHaveLayers (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  std::vector<float> distances;
-  for (const Ways& of_node : ways)
-    distances.push_back (static_cast<float> (of_node[layer_plane_size - 1].norm ()));
-  return quantile (distances, .5);
+  if (graph.minRowLength () < nearest_count)
+    return false;
+  const std::vector<Ways> sample = quickSample (graph, nodes, execution);
+  const auto flat =
+      std::count_if (sample.begin (), sample.end (), [] (const Ways& ways) { return planeOf (ways).has_value (); });
+  return static_cast<double> (flat) > min_share_flat * static_cast<double> (sample.size ());
 }
 
 class LayerFinder
 {
 public:
-  LayerFinder (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
-  : graph_ (graph), nodes_ (nodes), execution_ (execution)
+  explicit LayerFinder (const ThinnedSample& sample)
+  : sample_ (sample), halvings_ (sample.size (), static_cast<float> (sample.end ())), steps_ (sample.size (), 0)
   {}
-
-  /** Cheap, for clouds with noise. */
-  bool
-  mayHaveLayers () const
-  {
-    if (graph_.minRowLength () < layer_plane_size)
-      return false;
-    const std::vector<std::uint32_t> sample = sampleNodes (nodes_, nodes_.size (), quick_sample_size, execution_);
-    const auto isFlat = [&] (std::uint32_t node) { return planeOf (waysTo (node, graph_.row (node))).has_value (); };
-    const auto flat = std::count_if (sample.begin (), sample.end (), isFlat);
-    return static_cast<double> (flat) > min_share_flat * static_cast<double> (sample.size ());
-  }
 
   LayerEstimate
   find ()
   {
-    sample_ = sampleNodes (nodes_, nodes_.size (), sample_size, execution_);
-    const int end = ThinnedCloud::mostHalvings (nodes_.size ()) + 1;
-    halvings_.assign (sample_.size (), static_cast<float> (end));
-    steps_.assign (sample_.size (), 0);
     bool have_layers = false;
     float spacing = 0;
-    for (int halvings = 0; halvings < end; ++halvings) {
-      const std::vector<Ways> ways = waysInThinned (halvings);
+    for (int halvings = 0; halvings < sample_.end (); ++halvings) {
+      const std::vector<Ways> ways = sample_.waysAfter (halvings);
       const Planes planes = planesOf (ways);
-      for (std::size_t s = 0; s < sample_.size (); ++s)
+      for (std::size_t s = 0; s < planes.size (); ++s)
         if (!planes[s])
           halvings_[s] = std::min (halvings_[s], static_cast<float> (halvings));
       have_layers |= showLayers (ways, planes);
       if (halvings == 0)
-        spacing = spacingOf (ways);
+        spacing = medianReach (ways);
     }
-    std::vector<LocalValue> steps = inPlace (steps_);
+    std::vector<LocalValue> steps = sample_.inPlace (steps_);
     steps.erase (std::remove_if (steps.begin (), steps.end (), [] (const LocalValue& step) { return step.value == 0; }),
                  steps.end ());
     if (!have_layers || !(spacing > 0) || !areAlike (steps, spacing))
       return {};
-    return {regionalMedians (inPlace (halvings_), spacing), regionalMedians (steps, spacing), noiseOfStep (order_)};
+    return {regionalMedians (sample_.inPlace (halvings_), spacing), regionalMedians (steps, spacing),
+            noiseOfStep (order_)};
   }
 
 private:
-  Ways
-  waysTo (std::uint32_t node, const Row& row) const
-  {
-    Ways ways;
-    for (std::size_t j = 0; j < row.size (); ++j)
-      ways.push_back (nodes_.difference (node, row[j]).cast<double> ());
-    return ways;
-  }
-
-  /** From the points of the sample to the nearest of a thinner cloud. */
-  std::vector<Ways>
-  waysInThinned (int halvings) const
-  {
-    const ThinnedCloud thinned (graph_, nodes_, halvings, execution_);
-    std::vector<Ways> ways (sample_.size ());
-    parallelFor (
-        sample_.size (), execution_,
-        [&] (std::size_t begin, std::size_t end) {
-          KdTree::Scratch scratch;
-          std::array<std::uint32_t, row_length> row;
-          for (std::size_t s = begin; s < end; ++s) {
-            thinned.row (sample_[s], row.data (), row_length, scratch);
-            ways[s] = waysTo (sample_[s], Row (row.data (), row_length, 1));
-          }
-        },
-        64);
-    return ways;
-  }
-
   /** Notes the steps of the nodes where none was noted yet. */
   bool
   showLayers (const std::vector<Ways>& ways, const Planes& planes)
@@ -193,19 +147,7 @@ private:
     return true;
   }
 
-  std::vector<LocalValue>
-  inPlace (const std::vector<float>& values) const
-  {
-    std::vector<LocalValue> local;
-    for (std::size_t s = 0; s < sample_.size (); ++s)
-      local.push_back ({nodes_.base[sample_[s]], values[s]});
-    return local;
-  }
-
-  const NeighborGraph& graph_;
-  const Positions& nodes_;
-  const Execution& execution_;
-  std::vector<std::uint32_t> sample_;
+  const ThinnedSample& sample_;
   std::vector<float> halvings_; // until the nearest of a point of the sample are not in a plane
   std::vector<float> steps_;    // to the next layer, 0 where none was seen
   double order_ = 0;            // at best, the share of the points off which there is anything, that see a layer
@@ -216,8 +158,10 @@ LayerEstimate
 estimateLayers (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   const Execution silent = execution.silent ();
-  LayerFinder finder (graph, nodes, silent);
-  return finder.mayHaveLayers () ? finder.find () : LayerEstimate ();
+  if (!mayHaveLayers (graph, nodes, silent))
+    return {};
+  const ThinnedSample sample (graph, nodes, silent);
+  return LayerFinder (sample).find ();
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

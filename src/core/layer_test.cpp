@@ -74,28 +74,22 @@ private:
 std::optional<Eigen::Vector3d>
 planeOf (const Ways& ways)
 {
-  const auto begin = ways.begin (), end = begin + layer_plane_size;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero ();
-  for (auto way = begin; way != end; ++way)
-    mean += *way / layer_plane_size;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero ();
-  for (auto way = begin; way != end; ++way)
-    covariance += (*way - mean) * (*way - mean).transpose () / layer_plane_size;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect (covariance);
-  const double flat = flat_height * ways[layer_plane_size - 1].norm ();
+  solver.computeDirect (covarianceOfNearest (ways));
+  const double flat = flat_height * ways[nearest_count - 1].norm ();
   if (!(solver.eigenvalues ()[1] > flat * flat)) // copies, or a line
     return {};
   const Eigen::Vector3d normal = solver.eigenvectors ().col (0);
-  const bool is_plane =
-      std::all_of (begin, end, [&] (const auto& way) { return std::abs (normal.dot (way - mean)) < flat; });
+  const Eigen::Vector3d mean = meanOfNearest (ways);
+  const bool is_plane = std::all_of (ways.begin (), ways.begin () + nearest_count,
+                                     [&] (const auto& way) { return std::abs (normal.dot (way - mean)) < flat; });
   return is_plane ? std::make_optional (normal) : std::nullopt;
 }
 
 LayerSurrounding
 layerSurrounding (const Ways& ways, const Eigen::Vector3d& normal)
 {
-  const double off = off_height * ways[layer_plane_size - 1].norm ();
+  const double off = off_height * ways[nearest_count - 1].norm ();
   Part above, below, own;
   for (const Eigen::Vector3d& way : ways) {
     const double height = normal.dot (way);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/layer_bridging.h>
 #include <pcl_normal_smoothing/core/noise_estimate.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/residual_quantiles.h>
@@ -66,11 +65,18 @@ corrected (const NoiseSample& sample, const Factors& factors)
   return variances;
 }
 
+/** Between points lies nothing, or a gap to another scan line. */
+enum class Between
+{
+  NOTHING,
+  LINES
+};
+
 NoiseField
-fieldOf (const NoiseSample& sample, const NoiseEstimate& noise)
+fieldOf (const NoiseSample& sample, Between between, const NoiseEstimate& noise)
 {
   const Factors factors = correctionsOf (sample, noise);
-  const std::size_t size = smallestToTrust (corrected (sample, factors));
+  const std::size_t size = between == Between::LINES ? 1 : smallestToTrust (corrected (sample, factors));
   std::vector<LocalValue> local;
   for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
     if (const float variance = sample.of_nodes[s].variances[size]; std::isfinite (variance))
@@ -80,7 +86,7 @@ fieldOf (const NoiseSample& sample, const NoiseEstimate& noise)
 
 /** \param[in,out] noise, its spacing and field known */
 void
-estimateSigma (const NoiseSample& sample, NoiseEstimate& noise)
+estimateSigma (const NoiseSample& sample, Between between, NoiseEstimate& noise)
 {
   constexpr int iterations = 3;
   double certainty_of_slant = 0;
@@ -88,27 +94,14 @@ estimateSigma (const NoiseSample& sample, NoiseEstimate& noise)
     const ResidualVariances variances = corrected (sample, correctionsOf (sample, noise));
     if (iteration == 0) // the larger sigma is, the more does density seem to explain
       certainty_of_slant = certaintyOfSlant (variances);
-    const double sigma = sigmaBy (variances, certainty_of_slant);
+    const double sigma =
+        between == Between::LINES ? sigmaAcrossLines (variances) : sigmaBy (variances, certainty_of_slant);
     noise.sigma = static_cast<float> (sigma * whatQuadricsFollow (sigma / noise.spacing));
   }
 }
-} // namespace
 
 NoiseEstimate
-estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
-{
-  const NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution));
-  const LayerEstimate layers = estimateLayers (graph, nodes, execution);
-  const auto wide = bridgeLayers (graph, nodes, layers, execution);
-  if (!wide)
-    return noise;
-  NoiseEstimate of_wide = estimateNoise (sampleNoise (*wide, nodes, execution), layers);
-  of_wide.spacing = noise.spacing;
-  return of_wide;
-}
-
-NoiseEstimate
-estimateNoise (const NoiseSample& sample)
+estimateNoise (const NoiseSample& sample, Between between)
 {
   std::vector<float> distances;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes)
@@ -119,17 +112,17 @@ estimateNoise (const NoiseSample& sample)
     return {};
   NoiseEstimate noise;
   noise.spacing = static_cast<float> (spacing);
-  estimateSigma (sample, noise);
-  noise.field = fieldOf (sample, noise);
+  estimateSigma (sample, between, noise);
+  noise.field = fieldOf (sample, between, noise);
   if (!noise.field.isEven ())
-    estimateSigma (sample, noise);
+    estimateSigma (sample, between, noise);
   return noise;
 }
 
 NoiseEstimate
-estimateNoise (NoiseSample sample, const LayerEstimate& layers)
+noiseInLayers (NoiseSample sample, const LayerEstimate& layers)
 {
-  NoiseEstimate noise = estimateNoise (sample);
+  NoiseEstimate noise = estimateNoise (sample, Between::NOTHING);
   std::vector<float> steps;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes)
     steps.push_back (layers.steps.valueAt (residuals.place, 0));
@@ -138,10 +131,38 @@ estimateNoise (NoiseSample sample, const LayerEstimate& layers)
     return noise;
   sample.dropPlanes ();
   if (!sample.of_nodes.empty ())
-    noise = estimateNoise (sample);
+    noise = estimateNoise (sample, Between::NOTHING);
   noise.sigma = std::max (noise.sigma, layers.noise_of_step * step);
   noise.field = relativeField (layers.steps, step);
   return noise;
+}
+} // namespace
+
+NoiseEstimate
+estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+{
+  const NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution));
+  const GapEstimate gaps = estimateGaps (graph, nodes, execution);
+  const auto wide = bridgeGaps (graph, nodes, gaps, execution);
+  if (!wide)
+    return noise;
+  NoiseEstimate of_wide = estimateNoise (sampleNoise (*wide, nodes, execution), gaps);
+  of_wide.spacing = noise.spacing;
+  return of_wide;
+}
+
+NoiseEstimate
+estimateNoise (const NoiseSample& sample)
+{
+  return estimateNoise (sample, Between::NOTHING);
+}
+
+NoiseEstimate
+estimateNoise (const NoiseSample& sample, const GapEstimate& gaps)
+{
+  if (gaps.layers.hasLayers ())
+    return noiseInLayers (sample, gaps.layers);
+  return estimateNoise (sample, gaps.hasGaps () ? Between::LINES : Between::NOTHING);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

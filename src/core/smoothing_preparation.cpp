@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/layer_bridging.h>
+#include <pcl_normal_smoothing/core/gap_bridging.h>
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
 
 #include <algorithm>
@@ -23,6 +23,8 @@ constexpr float test_spacings = 1.2f;
 constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
 constexpr float sheet_noise_factor = 1.4f;
+// Nearer than that they are layers of one wall that faces a depth camera.
+constexpr float sheet_steps = 1.5f;
 // Of the noise: where sheets are told apart that nobody saw, less than this is not what noise leaves.
 constexpr float noise_of_layers = .25f;
 
@@ -108,29 +110,30 @@ public:
   : positions_ (positions), normals_ (normals), execution_ (execution), graph_ (graph), mixed_ (graph)
   {}
 
-  /** \return whether there are layers */
+  /** \return whether there are gaps */
   bool
-  widenInLayers ()
+  widenAcrossGaps ()
   {
-    layers_ = estimateLayers (*mixed_, positions_, execution_);
-    if (const auto wide = bridgeLayers (*mixed_, positions_, layers_, execution_))
+    gaps_ = estimateGaps (*mixed_, positions_, execution_);
+    if (const auto wide = bridgeGaps (*mixed_, positions_, gaps_, execution_))
       graph_ = mixed_ = wide;
     else
-      layers_ = {};
-    return layers_.hasLayers ();
+      gaps_ = {};
+    return gaps_.hasGaps ();
   }
 
 protected:
   NoiseEstimate
   mixedNoise () override
   {
-    return noiseBy (sampleNoise (*graph_, positions_, execution_));
+    return estimateNoise (sampleNoise (*graph_, positions_, execution_), gaps_);
   }
 
   SheetEstimate
   sheets (float distance) override
   {
-    return estimateSheets (*graph_, positions_, distance, execution_);
+    const SheetEstimate seen = estimateSheets (*graph_, positions_, distance, execution_);
+    return seen.gap < sheet_steps * largestStep () ? SheetEstimate () : seen;
   }
 
   bool
@@ -147,7 +150,7 @@ protected:
   separatedNoise () override
   {
     const std::vector<std::uint32_t> sample = noiseSampleNodes (positions_, positions_.size ());
-    return noiseBy (sampleNoise (*graph_, positions_, sample, positions_.size (), execution_));
+    return estimateNoise (sampleNoise (*graph_, positions_, sample, positions_.size (), execution_), gaps_);
   }
 
   void
@@ -157,10 +160,12 @@ protected:
   }
 
 private:
-  NoiseEstimate
-  noiseBy (const NoiseSample& sample) const
+  /** From one layer to the next; 0 without layers. */
+  float
+  largestStep () const
   {
-    return layers_.hasLayers () ? estimateNoise (sample, layers_) : estimateNoise (sample);
+    const std::vector<float> steps = gaps_.layers.steps.values ();
+    return steps.empty () ? 0 : *std::max_element (steps.begin (), steps.end ());
   }
 
   const Positions& positions_;
@@ -168,7 +173,7 @@ private:
   const Execution& execution_;
   NeighborGraph::ConstPtr& graph_;
   NeighborGraph::ConstPtr mixed_; // before sheets were separated
-  LayerEstimate layers_;          // that are bridged
+  GapEstimate gaps_;              // that are bridged
 };
 } // namespace
 
@@ -217,7 +222,7 @@ prepareSmoothing (const Positions& positions,
                   SmoothingOptions& options)
 {
   WholeCloud cloud (positions, normals, execution, graph);
-  options.bridge_layers = options.robust && options.bridge_layers && cloud.widenInLayers ();
+  options.bridge_gaps = options.robust && options.bridge_gaps && cloud.widenAcrossGaps ();
   cloud.complete (options);
 }
 } // namespace core

@@ -2,6 +2,8 @@
 #include <pcl_normal_smoothing/core/noise_sample.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 
+#include <utility>
+
 namespace pcl_normal_smoothing
 {
 namespace core
@@ -10,11 +12,18 @@ namespace
 {
 constexpr std::size_t smallest_size = 1000;
 
-Elements
-membersOf (const Positions& nodes, int halvings, const Execution& execution)
+/** The nodes by the first \a halvings bits of their hashes; of so many parts. */
+std::vector<Elements>
+membersOf (const Positions& nodes, int halvings, std::size_t part_count)
 {
-  const std::vector<std::uint32_t> members = sampleNodes (nodes, nodes.size (), nodes.size () >> halvings, execution);
-  return members.empty () ? Elements (1, 0) : Elements (members.begin (), members.end ());
+  std::vector<Elements> members (part_count);
+  for (std::uint32_t node = 0; node < nodes.size (); ++node)
+    if (const std::uint64_t part = std::uint64_t {hashOf (nodes, node)} << halvings >> 32; part < part_count)
+      members[part].push_back (node);
+  for (Elements& of_part : members)
+    if (of_part.empty ()) // where most points are copies of others; a tree needs one
+      of_part.push_back (0);
+  return members;
 }
 
 KdTree
@@ -30,9 +39,16 @@ treeOf (const NeighborGraph& graph, const Positions& nodes, const Elements& memb
 ThinnedCloud::ThinnedCloud (const NeighborGraph& graph,
                             const Positions& nodes,
                             int halvings,
+                            Parts parts,
                             const Execution& execution)
-: nodes_ (nodes), members_ (membersOf (nodes, halvings, execution)), tree_ (treeOf (graph, nodes, members_, execution))
-{}
+: nodes_ (nodes)
+{
+  const std::size_t part_count = parts == Parts::ONE ? 1 : std::size_t {1} << halvings;
+  for (Elements& members : membersOf (nodes, halvings, part_count)) {
+    KdTree tree = treeOf (graph, nodes, members, execution);
+    parts_.push_back ({std::move (members), std::move (tree)});
+  }
+}
 
 int
 ThinnedCloud::mostHalvings (std::size_t size)
@@ -47,9 +63,11 @@ void
 ThinnedCloud::row (std::uint32_t node, std::uint32_t* row, std::uint32_t length, KdTree::Scratch& scratch) const
 {
   std::fill_n (row, length, node);
+  const auto& [members, tree] =
+      parts_[hashOf (nodes_, node) & (parts_.size () - 1)]; // by other bits than the part it is in
   std::uint32_t *place = row + 1, *const end = row + length;
-  for (const Neighbor& neighbor : tree_.search (nodes_.base[node], nodes_.offset[node], {length}, scratch))
-    if (const std::uint32_t found = members_[tree_.order ()[neighbor.slot]]; found != node && place != end)
+  for (const Neighbor& neighbor : tree.search (nodes_.base[node], nodes_.offset[node], {length}, scratch))
+    if (const std::uint32_t found = members[tree.order ()[neighbor.slot]]; found != node && place != end)
       *place++ = found;
 }
 } // namespace core

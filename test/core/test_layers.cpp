@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shapes.h"
+#include "searched.h"
 #include "smoothed.h"
 
-#include <pcl_normal_smoothing/core/layer_bridging.h>
+#include <pcl_normal_smoothing/core/gap_bridging.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -45,22 +45,11 @@ hill (double x, double y)
   return 0.3 * std::exp (-8 * ((x - middle) * (x - middle) + (y - middle) * (y - middle)));
 }
 
-struct Searched
+LayerEstimate
+layersOf (const Searched& cloud, unsigned threads = 2)
 {
-  explicit Searched (const Vectors& points, const NeighborQuery& query = {32})
-  : graph (NeighborGraph::build (asPositions (points), query, Execution (2)))
-  , nodes (gather (asPositions (points), graph->order ()))
-  {}
-
-  LayerEstimate
-  layers (unsigned threads = 2) const
-  {
-    return estimateLayers (*graph, nodes, Execution (threads));
-  }
-
-  NeighborGraph::ConstPtr graph;
-  Positions nodes;
-};
+  return estimateLayers (*cloud.graph, cloud.nodes, Execution (threads));
+}
 
 bool
 isInOneLayer (const Positions& nodes, const Row& row)
@@ -74,7 +63,7 @@ isInOneLayer (const Positions& nodes, const Row& row)
 bool
 haveLayers (const Vectors& points)
 {
-  return Searched (points).layers ().hasLayers ();
+  return layersOf (Searched (points)).hasLayers ();
 }
 
 /** The caps are rings a spacing apart. */
@@ -131,7 +120,7 @@ SmoothingOptions
 bridgingOptions (bool fast)
 {
   SmoothingOptions options = robustOptions (fast);
-  options.noise_varies = options.bridge_layers = true;
+  options.noise_varies = options.bridge_gaps = true;
   return options;
 }
 
@@ -173,7 +162,7 @@ TEST (LayersTest, NeighbourhoodsGrowWithTheSteps)
 {
   float last = -1;
   for (const double step : {0.01, 0.02, 0.04}) {
-    const float halvings = Searched (inSteps (tilted, step)).layers ().halvings.valueAt ({0.4f, 0.4f, 0.2f}, -1);
+    const float halvings = layersOf (Searched (inSteps (tilted, step))).halvings.valueAt ({0.4f, 0.4f, 0.2f}, -1);
     EXPECT_GT (halvings, last + 0.9f) << step;
     last = halvings;
   }
@@ -182,14 +171,14 @@ TEST (LayersTest, NeighbourhoodsGrowWithTheSteps)
 TEST (LayersTest, GrowWhereTheStepsAreWide)
 {
   const auto uneven = [] (double x, double y) { return 0.45 * x * x + 0.05 * y; };
-  const RegionalField halvings = Searched (inSteps (uneven, 0.015)).layers ().halvings;
+  const RegionalField halvings = layersOf (Searched (inSteps (uneven, 0.015))).halvings;
   EXPECT_GT (halvings.valueAt ({0.05f, 0.4f, 0}, 0), halvings.valueAt ({0.85f, 0.4f, 0.3f}, 0) + 1);
 }
 
 TEST (LayersTest, BridgedRowsBeginWithTheNodeAndHoldSeveralLayers)
 {
   const Searched cloud (inSteps (tilted, 0.04));
-  const auto wide = bridgeLayers (*cloud.graph, cloud.nodes, cloud.layers (), Execution (2));
+  const auto wide = bridgeGaps (*cloud.graph, cloud.nodes, {layersOf (cloud), {}}, Execution (2));
   ASSERT_TRUE (wide);
   std::size_t in_one = 0, in_one_before = 0;
   for (std::uint32_t node = 0; node < wide->size (); ++node) {
@@ -208,15 +197,15 @@ TEST (LayersTest, BridgedRowsBeginWithTheNodeAndHoldSeveralLayers)
 TEST (LayersTest, RowsWithinARadiusStay)
 {
   const Vectors points = inSteps (tilted, 0.02);
-  const LayerEstimate layers = Searched (points).layers ();
+  const LayerEstimate layers = layersOf (Searched (points));
   const Searched cloud (points, {0, 3.5f * spacing});
-  EXPECT_FALSE (bridgeLayers (*cloud.graph, cloud.nodes, layers, Execution (2)));
+  EXPECT_FALSE (bridgeGaps (*cloud.graph, cloud.nodes, {layers, {}}, Execution (2)));
 }
 
 TEST (LayersTest, ThreadsDoNotMatter)
 {
   const Searched cloud (inSteps (hill, 0.02));
-  const RegionalField one = cloud.layers (1).halvings, two = cloud.layers (2).halvings;
+  const RegionalField one = layersOf (cloud, 1).halvings, two = layersOf (cloud, 2).halvings;
   EXPECT_EQ (one.values (), two.values ());
   EXPECT_GT (one.regions.size (), 4u);
 }
@@ -254,8 +243,8 @@ TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
     return tilted (x, y) + 0.5 * step * gaussianNoise (7, place); // alike in patches of 3 x 3 pixels
   };
   const Searched clear (inSteps (tilted, step)), noisy (inSteps (frayed, step));
-  ASSERT_TRUE (noisy.layers ().hasLayers ());
-  EXPECT_GT (noisy.layers ().noise_of_step, clear.layers ().noise_of_step + 0.1f);
+  ASSERT_TRUE (layersOf (noisy).hasLayers ());
+  EXPECT_GT (layersOf (noisy).noise_of_step, layersOf (clear).noise_of_step + 0.1f);
 }
 
 TEST (LayersTest, FewNeighboursAreEnough)
@@ -265,7 +254,7 @@ TEST (LayersTest, FewNeighboursAreEnough)
   const Searched cloud (points, {8});
   NeighborGraph::ConstPtr graph = cloud.graph;
   prepareSmoothing (cloud.nodes, {}, Execution (2), graph, options);
-  EXPECT_TRUE (options.bridge_layers);
+  EXPECT_TRUE (options.bridge_gaps);
   EXPECT_GT (options.rounds.noise.sigma, 0.005f);
   EXPECT_LT (options.rounds.noise.field.largestFactor (), 1.5f);
 }
@@ -283,7 +272,7 @@ TEST_P (LayersPresets, WideStepsAreSmoothed)
       const double before = meanError (points, surface);
       const Vectors bridged = sum (points, smoothed (asPositions (points), k, options).displacements);
       EXPECT_LT (meanError (bridged, surface), 0.6 * before) << step;
-      options.bridge_layers = false;
+      options.bridge_gaps = false;
       const Vectors stuck = sum (points, smoothed (asPositions (points), k, options).displacements);
       EXPECT_GT (meanError (stuck, surface), 0.9 * before) << step << ": the test is of no use";
     }

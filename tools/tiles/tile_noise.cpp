@@ -29,11 +29,11 @@ public:
   : plan_ (plan), sample_ (sample), execution_ (execution)
   {}
 
-  /** Coordinates may come in steps, for points often lie in planes exactly; known after complete. */
+  /** Points often lie in planes exactly: on scan lines, or coordinates come in steps. Known after complete. */
   bool
-  mayHaveLayers () const
+  mayHaveGaps () const
   {
-    return may_have_layers_;
+    return may_have_gaps_;
   }
 
 protected:
@@ -43,7 +43,7 @@ protected:
     core::NoiseSample sample = sampleOf (core::NeighborQuery {core::noise_row_length}, {0, -1});
     const core::NoiseEstimate noise = core::estimateNoise (sample);
     const auto all = static_cast<double> (sample.of_nodes.size ());
-    may_have_layers_ = static_cast<double> (sample.dropPlanes ()) > share_of_planes * all;
+    may_have_gaps_ = static_cast<double> (sample.dropPlanes ()) > share_of_planes * all;
     return noise;
   }
 
@@ -125,7 +125,7 @@ private:
   const std::vector<SamplePoint>& sample_;
   const core::Execution& execution_;
   int separation_depth_ = -1;
-  bool may_have_layers_ = false;
+  bool may_have_gaps_ = false;
 };
 } // namespace
 
@@ -134,13 +134,14 @@ prepare (Plan& plan, const std::vector<SamplePoint>& sample, const core::Executi
 {
   TiledCloud cloud (plan, sample, execution);
   cloud.complete (plan.options);
-  // To see past layers neighbourhoods may grow until a tile needs all of its cloud.
-  const bool bridges = std::exchange (plan.options.bridge_layers, false) && plan.options.robust;
-  if (bridges && cloud.mayHaveLayers ())
-    note ("many points lie in planes with those around them, exactly: if that is because their coordinates come in "
-          "steps, "
-          "as a depth camera's do, use pcl_normal_smoothing, which sees past them; the tiles will be as its "
-          "-bridge_layers 0");
+  // To reach across gaps neighbourhoods may grow until a tile needs all of its cloud.
+  const bool bridges = std::exchange (plan.options.bridge_gaps, false) && plan.options.robust;
+  if (bridges && cloud.mayHaveGaps ())
+    note ("many points lie in planes with those around them, exactly: if that is because they lie on the lines of a "
+          "lidar, or their "
+          "coordinates come in steps, as a depth camera's do, use pcl_normal_smoothing, which reaches across the gaps; "
+          "the tiles will be "
+          "as its -bridge_gaps 0");
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -64,7 +64,8 @@ numberStep (const std::string& option, const std::string& text, int direction)
 ViewerParameters::ViewerParameters (const Given& given, const Options& known)
 : given_ (given), options_ (given), before_ (given)
 {
-  for (const std::string option : {"-preset", "-normals", "-weights", "-mixed", "-update", "-noise_varies", "-bridge_layers"}) {
+  for (const std::string option :
+       {"-preset", "-normals", "-weights", "-mixed", "-update", "-noise_varies", "-bridge_gaps"}) {
     std::istringstream words (known.valueOf (option));
     for (std::string word; std::getline (words, word, '|');)
       words_[option].push_back (word);

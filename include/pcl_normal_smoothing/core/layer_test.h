@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <pcl_normal_smoothing/core/ways.h>
 
 #include <optional>
-#include <vector>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The ways from a node to its nearest neighbours, itself first. */
-using Ways = std::vector<Eigen::Vector3d>;
-
-/** Of so many points, the node among them, it is asked whether they lie in a plane. */
-constexpr std::size_t layer_plane_size = 8;
-
-/** \param[in] ways at least layer_plane_size
+/** \param[in] ways at least nearest_count
   * \return the normal of the plane in which so many nearest lie exactly, where they do and span one */
 std::optional<Eigen::Vector3d>
 planeOf (const Ways& ways);
@@ -31,7 +24,7 @@ struct LayerSurrounding
   double step;
 };
 
-/** \param[in] ways at least layer_plane_size
+/** \param[in] ways at least nearest_count
   * \param[in] normal of the plane */
 LayerSurrounding
 layerSurrounding (const Ways& ways, const Eigen::Vector3d& normal);

@@ -24,8 +24,8 @@ struct SmoothingOptions
   RobustSmoothingOptions rounds;
   /** rounds.noise.field is to be estimated too. */
   bool noise_varies = false;
-  /** Neighbourhoods are to see past the layers of coordinates in steps, where there are some (core/layer_estimate.h). */
-  bool bridge_layers = false;
+  /** Neighbourhoods are to reach across gaps between lines or layers, where there are some (core/gap_bridging.h). */
+  bool bridge_gaps = false;
 
   /** The same options for positions in another unit: see Positions::unit. What is to be estimated stays so. */
   SmoothingOptions

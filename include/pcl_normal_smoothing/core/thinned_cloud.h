@@ -8,27 +8,46 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** A part of the nodes of a cloud, evenly over it, in which neighbours are searched: of as many, but farther away. */
+/** A cloud dealt out into parts, each evenly over it: in one of them neighbours are as many, but farther away. */
 class ThinnedCloud
 {
 public:
+  /** In which of the parts the neighbours of a node are searched. */
+  enum class Parts
+  {
+    /** All in the same one. */
+    ONE,
+    /** Each in one that the hash of its coordinates picks: a cloud that is smoothed so makes use of all of its points, for neighbours
+      * of neighbours lie in other parts. */
+    ALL
+  };
+
   /** \param[in] graph of all nodes, at least one
-    * \param[in] halvings how often their number is halved; at least one node is left. A thinner cloud is part of a denser one */
-  ThinnedCloud (const NeighborGraph& graph, const Positions& nodes, int halvings, const Execution& execution);
+    * \param[in] halvings how often their number is halved; at least 0 */
+  ThinnedCloud (const NeighborGraph& graph,
+                const Positions& nodes,
+                int halvings,
+                Parts parts,
+                const Execution& execution);
 
   /** \return so many halvings leave enough to tell the surface: a thousand points; at least 0 */
   static int
   mostHalvings (std::size_t size);
 
-  /** The row of a node, of this cloud or not: the node and its nearest in this cloud.
+  /** The row of a node: the node and its nearest in a part.
     * \param[out] row filled up with the node itself */
   void
   row (std::uint32_t node, std::uint32_t* row, std::uint32_t length, KdTree::Scratch& scratch) const;
 
 private:
+  struct Part
+  {
+    Elements members;
+    KdTree tree;
+  };
+
   const Positions& nodes_;
-  Elements members_;
-  KdTree tree_;
+  std::vector<Part> parts_; // a power of two
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

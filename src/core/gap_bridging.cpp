@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/layer_bridging.h>
+#include <pcl_normal_smoothing/core/gap_bridging.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 
 #include <algorithm>
@@ -23,13 +23,13 @@ haveOneLength (const NeighborGraph& graph)
 }
 
 std::vector<int>
-halvingsOfNodes (const LayerEstimate& layers, const Positions& nodes, const Execution& execution)
+halvingsOfNodes (const GapEstimate& gaps, const Positions& nodes, const Execution& execution)
 {
   std::vector<int> halvings (nodes.size ());
   const int most = ThinnedCloud::mostHalvings (nodes.size ());
   parallelFor (nodes.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node)
-      halvings[node] = std::min (most, static_cast<int> (std::lround (layers.halvings.valueAt (nodes.base[node], 0))));
+      halvings[node] = std::min (most, static_cast<int> (std::lround (gaps.halvings ().valueAt (nodes.base[node], 0))));
   });
   return halvings;
 }
@@ -45,16 +45,22 @@ nodesOf (int halvings, const std::vector<int>& of_nodes)
 }
 } // namespace
 
-NeighborGraph::Ptr
-bridgeLayers (const NeighborGraph& graph,
-              const Positions& nodes,
-              const LayerEstimate& layers,
-              const Execution& execution)
+GapEstimate
+estimateGaps (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  if (!layers.hasLayers () || !haveOneLength (graph))
+  GapEstimate gaps {estimateLayers (graph, nodes, execution), {}};
+  if (!gaps.layers.hasLayers ())
+    gaps.lines = estimateLines (graph, nodes, execution);
+  return gaps;
+}
+
+NeighborGraph::Ptr
+bridgeGaps (const NeighborGraph& graph, const Positions& nodes, const GapEstimate& gaps, const Execution& execution)
+{
+  if (!gaps.hasGaps () || !haveOneLength (graph))
     return {};
   const Execution silent = execution.silent ();
-  const std::vector<int> halvings = halvingsOfNodes (layers, nodes, silent);
+  const std::vector<int> halvings = halvingsOfNodes (gaps, nodes, silent);
   const auto length = static_cast<std::uint32_t> (graph.minRowLength ());
   auto wide = std::make_shared<NeighborGraph> (graph);
   const int most = *std::max_element (halvings.begin (), halvings.end ());
@@ -62,7 +68,7 @@ bridgeLayers (const NeighborGraph& graph,
     const std::vector<std::uint32_t> changed = nodesOf (of_cloud, halvings);
     if (changed.empty ())
       continue;
-    const ThinnedCloud thinned (graph, nodes, of_cloud, silent);
+    const ThinnedCloud thinned (graph, nodes, of_cloud, ThinnedCloud::Parts::ALL, silent);
     std::vector<std::uint32_t> rows (changed.size () * length);
     parallelFor (changed.size (), silent, [&] (std::size_t begin, std::size_t end) {
       KdTree::Scratch scratch;

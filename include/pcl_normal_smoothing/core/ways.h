@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** The ways from a node to its nearest neighbours, itself first. */
+using Ways = std::vector<Eigen::Vector3d>;
+
+/** The node and so many of its nearest tell whether it lies in a plane, or on a line. */
+constexpr std::size_t nearest_count = 8;
+
+/** Of the nearest_count nearest. \param[in] ways at least as many */
+Eigen::Vector3d
+meanOfNearest (const Ways& ways);
+
+/** About their mean. \param[in] ways at least as many */
+Eigen::Matrix3d
+covarianceOfNearest (const Ways& ways);
+
+/** The median distance of the last of the nearest_count nearest; 0 of none. */
+float
+medianReach (const std::vector<Ways>& ways);
+} // namespace core
+} // namespace pcl_normal_smoothing
