@@ -187,10 +187,11 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
 }
 
 void
-checkOptions (const core::SmoothingOptions& method)
+checkOptions (const core::SmoothingOptions& method, int k)
 {
   try {
     core::check (method);
+    core::checkNeighborCount (method, k);
   }
   catch (const core::Error& error) {
     throw UsageError (error.what ());
@@ -213,10 +214,11 @@ addSeedOption (Options& options, const std::string& standard, const std::functio
 }
 
 void
-SearchOptions::addTo (Options& options, const std::string& standard_k)
+SearchOptions::addTo (Options& options, const std::string& standard_k, int least_k, const std::string& more)
 {
-  options.add ("-k", "N", "neighbours of a point, itself included, at least 3", standard_k,
-               integerOption (3, 100000, [this] (std::int64_t number) { k = static_cast<int> (number); }));
+  options.add ("-k", "N", "neighbours of a point, itself included, at least " + std::to_string (least_k) + more,
+               standard_k,
+               integerOption (least_k, 100000, [this] (std::int64_t number) { k = static_cast<int> (number); }));
   options.add ("-radius", "R", "in place of -k: all neighbours closer than this, in the cloud's unit", "none",
                positiveOption ([this] (double length) { radius = length; }));
   options.add ("-max_radius", "R", "of the k neighbours only those closer than this, in the cloud's unit", "no limit",
@@ -247,7 +249,7 @@ addMethodOptions (Options& options,
                   const std::function<void (bool)>& save_normals)
 {
   addPresetOptions (options, settings);
-  search.addTo (options, presetStandardK ());
+  search.addTo (options, presetStandardK (), 3, "; 4 with -normals wpca, 7 in rounds");
   addFilterOptions (options, presetStandard, settings);
   addUpdateOptions (options, presetStandard, settings);
   addNoiseOptions (options, settings);

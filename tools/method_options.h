@@ -45,9 +45,10 @@ addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings&
 void
 addNoiseOptions (Options& options, SmoothingSettings& settings);
 
-/** \throw UsageError where an option does not fit the others */
+/** \param[in] k that is set; 0 = none
+  * \throw UsageError where an option does not fit the others */
 void
-checkOptions (const core::SmoothingOptions& method);
+checkOptions (const core::SmoothingOptions& method, int k = 0);
 
 /** Which options make the paper's chain run, for the help. */
 extern const char* const presets_and_chain;
@@ -72,9 +73,11 @@ struct SearchOptions
   double max_radius = 0;
   unsigned threads = 0;
 
-  /** \param[in] standard_k for the help */
+  /** \param[in] standard_k for the help
+    * \param[in] least_k refused below
+    * \param[in] more that the help has to say of the least */
   void
-  addTo (Options& options, const std::string& standard_k);
+  addTo (Options& options, const std::string& standard_k, int least_k = 3, const std::string& more = "");
 
   /** \param[in] standard_k where neither k nor a radius was given
     * \throw UsageError where both were */

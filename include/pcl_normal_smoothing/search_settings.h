@@ -65,10 +65,18 @@ protected:
     return 0;
   }
 
+  /** \throw core::Error where the class can do nothing with so few neighbours; k 0 = by radius */
+  virtual void
+  checkK (int) const
+  {}
+
   core::NeighborQuery
   makeQuery () const
   {
-    return makeNeighborQuery (k_ == 0 && radius_ == 0 ? defaultK () : k_, radius_, max_neighbor_distance_);
+    const int k = k_ == 0 && radius_ == 0 ? defaultK () : k_;
+    const core::NeighborQuery query = makeNeighborQuery (k, radius_, max_neighbor_distance_);
+    checkK (k);
+    return query;
   }
 
   /** The graph that was set, or one searched now.

@@ -25,6 +25,7 @@ const std::array<std::string, 3> presets {"default", "fast", "paper"};
 const std::vector<std::string> hidden {"-seed", "-oriented", "-max_radius"};
 
 constexpr int most_rounds = 6; // of the presets default and fast, see SmoothingSettings::setPointIterations
+constexpr long least_k_of_rounds = 7;
 constexpr double factor = 1.25;
 
 std::string
@@ -42,7 +43,8 @@ integerStep (const std::string& option, const std::string& text, int direction, 
   const long number = std::atol (text.c_str ());
   if (option != "-k")
     return std::to_string (std::clamp (number + direction, 0L, rounds ? most_rounds : 1000L));
-  return std::to_string (std::clamp (number + direction * std::max (1L, number / 4), 3L, 256L));
+  return std::to_string (
+      std::clamp (number + direction * std::max (1L, number / 4), rounds ? least_k_of_rounds : 3L, 256L));
 }
 
 bool
@@ -64,7 +66,8 @@ numberStep (const std::string& option, const std::string& text, int direction)
 ViewerParameters::ViewerParameters (const Given& given, const Options& known)
 : given_ (given), options_ (given), before_ (given)
 {
-  for (const std::string option : {"-preset", "-normals", "-weights", "-mixed", "-update", "-noise_varies", "-bridge_layers"}) {
+  for (const std::string option :
+       {"-preset", "-normals", "-weights", "-mixed", "-update", "-noise_varies", "-bridge_layers"}) {
     std::istringstream words (known.valueOf (option));
     for (std::string word; std::getline (words, word, '|');)
       words_[option].push_back (word);
