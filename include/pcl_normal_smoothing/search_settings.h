@@ -15,8 +15,8 @@ public:
   using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
   using SearchCloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
 
-  /** The search object to ask; it is given the input cloud. Default empty: this module's own search, which is exact and
-    * faster. */
+  /** The search object to ask; it is given the input cloud, and asked from many threads at once (setNumberOfThreads). Default
+    * empty: this module's own search, which is exact and faster. */
   void
   setSearchMethod (const SearchPtr& search)
   {
