@@ -36,7 +36,8 @@ public:
   }
 
   /** Neighbourhoods that were searched before (buildNeighborGraph), of a cloud with the same points in the same order;
-    * k, radius and search method are not used then. Default none. */
+    * k, radius and search method are not used then, but for the later searches of a class that searches anew
+    * (setSearchInterval), which ask for k or a radius. Default none. */
   void
   setNeighborGraph (const NeighborGraph::ConstPtr& graph)
   {

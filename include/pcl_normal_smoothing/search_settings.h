@@ -88,7 +88,8 @@ protected:
                const std::function<SearchCloudConstPtr ()>& cloud,
                const core::Execution& execution) const;
 
-  /** Searches the neighbours of moved nodes as the first were searched. */
+  /** Searches the neighbours of moved nodes as the first were searched; by k or the radius where these are of a graph that was set.
+    * \throw core::Error where neither is set beside a graph */
   core::Research
   makeResearch (const NeighborGraph::ConstPtr& graph, const std::function<SearchCloudConstPtr ()>& cloud) const;
 

@@ -144,6 +144,23 @@ TYPED_TEST (FilterSearch, ASharedGraphGivesTheSame)
   }
 }
 
+TYPED_TEST (FilterSearch, WhereNeighboursAreSearchedAnewAGraphNeedsKBesides)
+{
+  if constexpr (TestFixture::Traits::writes_points) {
+    using PointT = typename TestFixture::Point;
+    TypeParam filter;
+    this->prepare (filter);
+    filter.setSearchInterval (1);
+    const auto expected = this->run (filter);
+    filter.setNeighborGraph (buildNeighborGraph<PointT> (this->cloud_, 10));
+    expectSamePoints (this->run (filter), expected);
+    filter.setKSearch (0);
+    this->expectError (filter, "setSearchInterval (0)");
+    filter.setRadiusSearch (0.35);
+    this->run (filter);
+  }
+}
+
 TYPED_TEST (FilterSearch, AGraphOfAnotherCloudIsRefused)
 {
   using PointT = typename TestFixture::Point;
