@@ -133,10 +133,20 @@ protected:
   bool cancelled_ = false;
 };
 
+/** For messages: short, and not "0.000000" for what is small. */
+std::string
+lengthText (double length);
+
+/** A length as the work is done with it.
+  * \param[in] setter that it was given to, for the message
+  * \throw core::Error where float would make 0 or infinity of it, which it is not */
+float
+floatLength (double length, const std::string& name, const std::string& setter);
+
 /** \param[in] k number of neighbours, the point itself included; 0 = by radius
   * \param[in] radius 0 = by k
   * \param[in] max_distance limits k; 0 = no limit
-  * \throw core::Error unless exactly one of k and radius is above 0, and none below */
+  * \throw core::Error unless exactly one of k and radius is above 0, and none below, or float cannot hold a length */
 core::NeighborQuery
 makeNeighborQuery (int k, double radius, double max_distance);
 

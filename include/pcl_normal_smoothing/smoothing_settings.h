@@ -172,7 +172,8 @@ public:
   }
 
   /** The preset with all that was set explicitly; what the cloud has to tell is below 0.
-    * \throw core::Error where the noise, the spacing or the sheet distance was set to what is no length, in rounds */
+    * \throw core::Error where the noise, the spacing or the sheet distance was set to what is no length, in rounds; where float
+    * cannot hold a length */
   core::SmoothingOptions
   options () const;
 

@@ -98,9 +98,13 @@ TYPED_TEST (FeatureEdges, ParametersAtTheirBoundsGiveNormalsOrNone)
   EXPECT_TRUE (this->run (feature).is_dense);
   feature.setSearchSurface (nullptr);
   feature.setKSearch (0);
-  for (const double radius : {1e-300, 1e-30, 1e30, 1e300}) {
+  for (const double radius : {1e-37, 1e-30, 1e30, 1e38}) {
     feature.setRadiusSearch (radius);
     EXPECT_EQ (this->run (feature).is_dense, radius > 1) << radius;
+  }
+  for (const auto& [radius, name] : {std::pair (1e-300, "1e-300"), std::pair (1e300, "1e+300")}) {
+    feature.setRadiusSearch (radius);
+    this->expectError (feature, name);
   }
 }
 
