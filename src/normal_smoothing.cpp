@@ -57,8 +57,10 @@ xyzCloud (const core::Positions& positions)
 void
 NormalSmoothing<pcl::PCLPointCloud2>::applyFilter (pcl::PCLPointCloud2& output)
 {
-  output = *input_;
-  const Outcome outcome = attempt (filter_name_, [&] { smooth (output); });
+  const Outcome outcome = attempt (filter_name_, [&] {
+    output = *input_;
+    smooth (output);
+  });
   if (outcome == Outcome::CANCELLED)
     output = *input_;
   if (outcome == Outcome::FAILED) {

@@ -11,8 +11,8 @@ template <typename PointT>
 void
 NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
 {
-  output = *this->input_;
   const Outcome outcome = this->attempt (this->filter_name_, [&] {
+    output = *this->input_;
     core::PointUpdateOptions options = options_;
     options.max_displacement = floatLength (max_displacement_, "the maximal displacement", "setMaxDisplacement");
     core::check (options);
