@@ -58,6 +58,7 @@ void
 NormalSmoothing<pcl::PCLPointCloud2>::applyFilter (pcl::PCLPointCloud2& output)
 {
   const Outcome outcome = attempt (filter_name_, [&] {
+    used_options_ = {};
     output = *input_;
     smooth (output);
   });

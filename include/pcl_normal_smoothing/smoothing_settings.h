@@ -177,7 +177,8 @@ public:
   core::SmoothingOptions
   options () const;
 
-  /** What the last run used, with what it estimated from the cloud: set explicitly, it gives the same result. */
+  /** What the last run used, with what it estimated from the cloud; of a run that failed or was cancelled, nothing: as constructed.
+    * Set explicitly, it gives the same result, where rounds.noise.field has regions with setNoiseVaries (true) besides. */
   const core::SmoothingOptions&
   usedOptions () const
   {

@@ -246,10 +246,13 @@ TEST_F (PointCloud2Test, CancelledItsOutputIsTheInput)
   const pcl::PCLPointCloud2 cloud = makeBinaryCloud ({}, points_);
   Smoothing smoothing;
   prepare (smoothing, cloud);
+  run (smoothing);
+  EXPECT_GT (smoothing.usedOptions ().rounds.noise.sigma, 0);
   smoothing.setProgressCallback ([] (double share) { return share < 0.8; });
   pcl::PCLPointCloud2 output = poisonedBinaryCloud ();
   smoothing.filter (output);
   EXPECT_TRUE (smoothing.wasCancelled ());
+  EXPECT_EQ (smoothing.usedOptions ().rounds.noise.sigma, 0);
   EXPECT_EQ (output.data, cloud.data);
   EXPECT_EQ (output.width, cloud.width);
 }

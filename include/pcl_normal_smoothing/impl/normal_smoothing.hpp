@@ -13,6 +13,7 @@ void
 NormalSmoothing<PointT>::applyFilter (PointCloud& output)
 {
   const Outcome outcome = this->attempt (this->filter_name_, [&] {
+    used_options_ = {};
     output = *this->input_;
     const core::SmoothingOptions options = this->options ();
     std::optional<VectorView> normals;
