@@ -11,12 +11,9 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Parameters with public access to the preset's k. */
+/** Parameters without the class that smooths by them. */
 class MethodSettings : public SmoothingSettings
-{
-public:
-  using SmoothingSettings::presetK;
-};
+{};
 
 /** What holds without an option: the text for the help, from a text for a set of parameters. */
 using Standard = std::function<std::string (const std::function<std::string (const core::SmoothingOptions&)>&)>;
