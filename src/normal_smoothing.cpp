@@ -62,12 +62,7 @@ NormalSmoothing<pcl::PCLPointCloud2>::applyFilter (pcl::PCLPointCloud2& output)
     output = *input_;
     smooth (output);
   });
-  if (outcome == Outcome::CANCELLED)
-    output = *input_;
-  if (outcome == Outcome::FAILED) {
-    output.data.clear ();
-    output.width = output.height = output.row_step = 0;
-  }
+  settleOutput (outcome, *input_, output);
 }
 
 void

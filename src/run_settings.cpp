@@ -105,14 +105,23 @@ warn (const std::string& class_name, const std::string& message)
   PCL_WARN ("[pcl_normal_smoothing::%s] %s\n", class_name.c_str (), message.c_str ());
 }
 
-void
-checkPointCount (const std::string& class_name, std::size_t finite_points, std::size_t k)
+std::string
+pointCountWarning (std::size_t finite_points, std::size_t k)
 {
   if (finite_points < 3)
     throw core::Error ("the input has " + std::to_string (finite_points) +
-                       " finite points, a surface needs 3 at least: give it a cloud that samples a surface");
-  if (finite_points < k)
-    warn (class_name, "the input has " + std::to_string (finite_points) + " finite points, fewer than k = " +
-                          std::to_string (k) + ": every point has all others for neighbours");
+                       " finite points, a surface needs 3 at least: give a cloud that samples a surface");
+  if (finite_points >= k)
+    return "";
+  return "the input has " + std::to_string (finite_points) + " finite points, fewer than k = " + std::to_string (k) +
+         ": every point has all others for neighbours";
+}
+
+void
+checkPointCount (const std::string& class_name, std::size_t finite_points, std::size_t k)
+{
+  const std::string warning = pointCountWarning (finite_points, k);
+  if (!warning.empty ())
+    warn (class_name, warning);
 }
 } // namespace pcl_normal_smoothing

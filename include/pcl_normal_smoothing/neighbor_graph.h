@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/neighbor_graph.h>
+#include <pcl_normal_smoothing/run_settings.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 
 #include <pcl/search/search.h>
 
 namespace pcl_normal_smoothing
 {
-using NeighborGraph = core::NeighborGraph;
-
 /** Finds the neighbours of any point: \a neighbors becomes indices in the searched cloud. */
 template <typename PointT>
 using PointSearch = std::function<void (const PointT& point, std::vector<std::uint32_t>& neighbors)>;
