@@ -11,7 +11,7 @@ namespace pcl_normal_smoothing
 enum class SmoothingPreset
 {
   DEFAULT, //!< the best quality: robust smoothing in rounds, by the noise that the cloud has
-  FAST,    //!< the best at three tenths of the cost: fewer rounds over smaller neighbourhoods
+  FAST,    //!< the best at about a third of the cost: fewer rounds over smaller neighbourhoods
   PAPER    //!< PGU7 of Valdivia et al. 2013 with 5 normal and 7 point iterations, as on its scanned bust
 };
 
