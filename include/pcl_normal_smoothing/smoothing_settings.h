@@ -18,8 +18,9 @@ enum class SmoothingPreset
 /** The parameters of NormalSmoothing.
   *
   * The presets DEFAULT and FAST smooth in rounds, which need no parameter. Where one of the parameters of the paper's chain
-  * is set (the normal filter's, or the update's rule or sigma_s), the chain runs in their place: WPCA, k 15, Gaussian
-  * weights, 2 normal iterations, 2 compensated point iterations, apart from what is set. */
+  * is set (the normal filter's, the update's rule or sigma_s, or a search interval above 0), the chain runs in their place: WPCA,
+  * k 15, Gaussian weights, 2 normal iterations, 2 compensated point iterations, apart from what is set. Defaults of those
+  * parameters are the chain's, and PAPER's where they differ. */
 class SmoothingSettings
 {
 public:
@@ -36,63 +37,63 @@ public:
     return preset_;
   }
 
-  /** Where the normals come from; in rounds: those of the first. Default NormalSource::WPCA. */
+  /** Where the normals come from; in rounds: those of the first. Default NormalSource::WPCA, PAPER: PCA. */
   void
   setNormalSource (NormalSource source)
   {
     normal_source_ = source;
   }
 
-  /** Which weight a neighbour's normal has in the filter. */
+  /** Which weight a neighbour's normal has in the filter. Chooses the chain. Default NormalWeight::GAUSSIAN. */
   void
   setNormalWeight (NormalWeight weight)
   {
     normal_weight_ = weight;
   }
 
-  /** T of eq. 3, range [0, 1). */
+  /** T of eq. 3, range [0, 1). Chooses the chain. Default 0.65. */
   void
   setThreshold (double threshold)
   {
     threshold_ = threshold;
   }
 
-  /** sigma_s of eq. 5, of the normal filter, range > 0. */
+  /** sigma_s of eq. 5, of the normal filter, range > 0. Chooses the chain. Default 0.3. */
   void
   setSigmaS (double sigma_s)
   {
     sigma_s_ = sigma_s;
   }
 
-  /** The threshold of eq. 7. */
+  /** The threshold of eq. 7. Chooses the chain. Default MixedThreshold::PRINTED. */
   void
   setMixedThreshold (MixedThreshold threshold)
   {
     mixed_threshold_ = threshold;
   }
 
-  /** Iterations of the normal filter, range >= 0. */
+  /** Iterations of the normal filter, range >= 0. Chooses the chain. Default 2, PAPER: 5. */
   void
   setNormalIterations (int iterations)
   {
     normal_iterations_ = iterations;
   }
 
-  /** How points move. */
+  /** How points move. Chooses the chain. Default UpdateRule::COMPENSATED, PAPER: UpdateRule::PAPER. */
   void
   setUpdateRule (UpdateRule rule)
   {
     update_rule_ = rule;
   }
 
-  /** sigma_s of eq. 9, of the point update, range > 0. */
+  /** sigma_s of eq. 9, of the point update, range > 0. Chooses the chain. Default 0.03, PAPER: 1/3. */
   void
   setUpdateSigmaS (double sigma_s)
   {
     update_sigma_s_ = sigma_s;
   }
 
-  /** Iterations of the point update, range >= 0; rounds of DEFAULT (6) and FAST (3), range 0 to 6. */
+  /** Iterations of the point update (2, PAPER: 7), range >= 0; rounds of DEFAULT (6) and FAST (3), range 0 to 6. */
   void
   setPointIterations (int iterations)
   {
@@ -107,7 +108,8 @@ public:
     max_displacement_ = distance;
   }
 
-  /** Neighbours of moved points are searched anew after this many iterations of the point update. Default 0: never. */
+  /** Neighbours of moved points are searched anew after this many iterations of the point update; above 0 it chooses the chain, as
+    * rounds never search anew. Default 0: never. */
   void
   setSearchInterval (int iterations)
   {
