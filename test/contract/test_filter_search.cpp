@@ -178,7 +178,7 @@ TYPED_TEST (FilterSearch, AGraphOfAnotherCloudIsRefused)
   this->run (filter);
 }
 
-/** What the classes need of k, each for itself. */
+/** What NormalSmoothing needs of k, for each way that it has. */
 TEST (SmoothingK, TooSmallForAnyNormalOrQuadricItIsAnError)
 {
   using Smoothing = pcl_normal_smoothing::NormalSmoothing<pcl::PointNormal>;
@@ -197,8 +197,9 @@ TEST (SmoothingK, TooSmallForAnyNormalOrQuadricItIsAnError)
     return smoothing.getErrorMessage ();
   };
   const auto expectLeast = [&] (int least, const auto& set) {
-    if (least > 1)
+    if (least > 1) {
       EXPECT_TRUE (contains (messageFor (least - 1, set, nullptr), "at least " + std::to_string (least))) << least;
+    }
     EXPECT_EQ (messageFor (least, set, nullptr), "");
   };
   expectLeast (7, [] (Smoothing&) {});
