@@ -84,6 +84,7 @@ TEST_F (Usage, MalformedValue)
                                    "-format xml",
                                    "-preset slow",
                                    "-noise_sigma -1",
+                                   "-noise_sigma 1e-99",
                                    "-sheet_distance -1",
                                    "-max_displacement 0",
                                    "-update PAPER"})
