@@ -21,8 +21,8 @@ namespace pcl_normal_smoothing
   * smoothed and the indexed points are written.
   *
   * Without k, radius and graph the preset chooses k; one that is set is at least 7 in rounds, in the chain 4 for WPCA and 3 for PCA
-  * and Hough. The result is the same, bit for bit, for any number of threads. On an
-  * error the output is empty, see filter and getErrorMessage. */
+  * and Hough. The result is the same, bit for bit, for any number of threads. On an error the output is empty, see filter and
+  * getErrorMessage. */
 template <typename PointT>
 class NormalSmoothing : public pcl::Filter<PointT>,
                         public SearchSettings<PointT>,
