@@ -57,14 +57,12 @@ xyzCloud (const core::Positions& positions)
 void
 NormalSmoothing<pcl::PCLPointCloud2>::applyFilter (pcl::PCLPointCloud2& output)
 {
-  output = *input_;
-  const Outcome outcome = attempt (filter_name_, [&] { smooth (output); });
-  if (outcome == Outcome::CANCELLED)
+  const Outcome outcome = attempt (filter_name_, [&] {
+    used_options_ = {};
     output = *input_;
-  if (outcome == Outcome::FAILED) {
-    output.data.clear ();
-    output.width = output.height = output.row_step = 0;
-  }
+    smooth (output);
+  });
+  settleOutput (outcome, *input_, output);
 }
 
 void
@@ -80,6 +78,9 @@ NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
   if (options.normals == NormalSource::INPUT)
     normals = VectorView {requireNormals (*input_, ": estimate normals first, or choose another normal source"),
                           input_->data.data (), size};
+  std::optional<VectorLayout> saved_normals;
+  if (save_normals_)
+    saved_normals = requireNormals (*input_, ": add them before setSaveNormals");
 
   SmoothingRun run (options, {layout, input_->data.data (), size}, *indices_, execution ().silent ());
   pcl::PointCloud<pcl::PointXYZ>::Ptr searched;
@@ -92,8 +93,8 @@ NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
   run.smooth (graph, normals, research, whole.part (0.5, 1));
   used_options_ = run.options ();
   run.writePositions (layout, output.data.data ());
-  if (save_normals_)
-    run.writeNormals (requireNormals (*input_, ": add them before setSaveNormals"), output.data.data ());
+  if (saved_normals)
+    run.writeNormals (*saved_normals, output.data.data ());
 }
 } // namespace pcl_normal_smoothing
 

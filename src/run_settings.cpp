@@ -4,7 +4,9 @@
 
 #include <pcl/console/print.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <new>
 
 namespace pcl_normal_smoothing
@@ -54,27 +56,46 @@ RunSettings::fittingGraph (const core::Positions& cloud) const
   return neighbor_graph_;
 }
 
+std::string
+lengthText (double length)
+{
+  std::array<char, 32> text;
+  std::snprintf (text.data (), text.size (), "%g", length);
+  return text.data ();
+}
+
+float
+floatLength (double length, const std::string& name, const std::string& setter)
+{
+  const auto result = static_cast<float> (length);
+  if ((result == 0 && length != 0) || (std::isinf (result) && !std::isinf (length)))
+    throw core::Error (name + " is " + lengthText (length) + ", which float cannot hold: give " + setter +
+                       " one from 1e-38 to 1e38, and the cloud in a unit that fits it");
+  return result;
+}
+
 core::NeighborQuery
 makeNeighborQuery (int k, double radius, double max_distance)
 {
   if (k < 0)
     throw core::Error ("k is " + std::to_string (k) + ": give setKSearch a positive number of neighbours");
   if (!(radius >= 0) || std::isinf (radius))
-    throw core::Error ("the radius is " + std::to_string (radius) + ": give setRadiusSearch a positive length");
+    throw core::Error ("the radius is " + lengthText (radius) + ": give setRadiusSearch a positive length");
   if (!(max_distance >= 0))
-    throw core::Error ("the maximal neighbour distance is " + std::to_string (max_distance) +
+    throw core::Error ("the maximal neighbour distance is " + lengthText (max_distance) +
                        ": give setMaxNeighborDistance a positive length, or 0 for no limit");
   if (k > 0 && radius > 0)
-    throw core::Error ("both k (" + std::to_string (k) + ") and a radius (" + std::to_string (radius) +
+    throw core::Error ("both k (" + std::to_string (k) + ") and a radius (" + lengthText (radius) +
                        ") are set: set one of them to 0, or use setMaxNeighborDistance to limit k");
   if (k == 0 && radius == 0)
     throw core::Error ("neither k nor a radius is set: call setKSearch or setRadiusSearch");
   core::NeighborQuery query;
   query.k = static_cast<std::uint32_t> (k);
   if (radius > 0)
-    query.radius = static_cast<float> (radius);
+    query.radius = floatLength (radius, "the radius", "setRadiusSearch");
   if (max_distance > 0)
-    query.radius = std::min (query.radius, static_cast<float> (max_distance));
+    query.radius =
+        std::min (query.radius, floatLength (max_distance, "the maximal neighbour distance", "setMaxNeighborDistance"));
   return query;
 }
 
@@ -84,14 +105,23 @@ warn (const std::string& class_name, const std::string& message)
   PCL_WARN ("[pcl_normal_smoothing::%s] %s\n", class_name.c_str (), message.c_str ());
 }
 
-void
-checkPointCount (const std::string& class_name, std::size_t finite_points, std::size_t k)
+std::string
+pointCountWarning (std::size_t finite_points, std::size_t k)
 {
   if (finite_points < 3)
     throw core::Error ("the input has " + std::to_string (finite_points) +
-                       " finite points, a surface needs 3 at least: give it a cloud that samples a surface");
-  if (finite_points < k)
-    warn (class_name, "the input has " + std::to_string (finite_points) + " finite points, fewer than k = " +
-                          std::to_string (k) + ": every point has all others for neighbours");
+                       " finite points, a surface needs 3 at least: give a cloud that samples a surface");
+  if (finite_points >= k)
+    return "";
+  return "the input has " + std::to_string (finite_points) + " finite points, fewer than k = " + std::to_string (k) +
+         ": every point has all others for neighbours";
+}
+
+void
+checkPointCount (const std::string& class_name, std::size_t finite_points, std::size_t k)
+{
+  const std::string warning = pointCountWarning (finite_points, k);
+  if (!warning.empty ())
+    warn (class_name, warning);
 }
 } // namespace pcl_normal_smoothing

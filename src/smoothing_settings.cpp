@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/run_settings.h>
 #include <pcl_normal_smoothing/smoothing_settings.h>
 
+#include <cmath>
 #include <string>
 
 namespace pcl_normal_smoothing
@@ -39,13 +41,21 @@ overwrite (Option& option, const std::optional<Set>& set)
     option = static_cast<Option> (*set);
 }
 
+/** The same for a length. \throw core::Error naming the \a setter, where float cannot hold it */
+void
+overwriteLength (float& length, const std::optional<double>& set, const std::string& name, const std::string& setter)
+{
+  if (set)
+    length = floatLength (*set, name, setter);
+}
+
 /** Below 0 a length is to be estimated, which is nothing to set.
   * \throw core::Error naming the \a setter, where a value was set that is no length */
 void
-checkLength (const std::optional<double>& set, const std::string& name, const std::string& setter)
+checkLength (const std::optional<double>& set, const std::string& name, const std::string& setter, bool finite = true)
 {
-  if (set && !(*set >= 0))
-    throw core::Error (name + " is " + std::to_string (*set) + ": give " + setter +
+  if (set && (!(*set >= 0) || (finite && std::isinf (*set))))
+    throw core::Error (name + " is " + lengthText (*set) + ": give " + setter +
                        " a length of at least 0, or do not call it and have it estimated");
 }
 } // namespace
@@ -65,16 +75,17 @@ SmoothingSettings::options () const
   overwrite (options.update.sigma_s, update_sigma_s_);
   overwrite (options.update.iterations, point_iterations_);
   overwrite (options.rounds.rounds, point_iterations_);
-  overwrite (options.update.max_displacement, max_displacement_);
-  overwrite (options.rounds.max_displacement, max_displacement_);
+  overwriteLength (options.update.max_displacement, max_displacement_, "the maximal displacement",
+                   "setMaxDisplacement");
+  options.rounds.max_displacement = options.update.max_displacement;
   if (options.robust) { // the chain has no use for them
     checkLength (noise_sigma_, "the noise's sigma", "setNoiseSigma");
     checkLength (point_spacing_, "the spacing", "setPointSpacing");
-    checkLength (sheet_distance_, "the sheet distance", "setSheetDistance");
+    checkLength (sheet_distance_, "the sheet distance", "setSheetDistance", false);
   }
-  overwrite (options.rounds.noise.sigma, noise_sigma_);
-  overwrite (options.rounds.noise.spacing, point_spacing_);
-  overwrite (options.rounds.sheet_distance, sheet_distance_);
+  overwriteLength (options.rounds.noise.sigma, noise_sigma_, "the noise's sigma", "setNoiseSigma");
+  overwriteLength (options.rounds.noise.spacing, point_spacing_, "the spacing", "setPointSpacing");
+  overwriteLength (options.rounds.sheet_distance, sheet_distance_, "the sheet distance", "setSheetDistance");
   options.noise_varies = noise_varies_.value_or (!noise_sigma_);
   options.bridge_gaps = bridge_gaps_;
   options.update.search_interval = search_interval_;

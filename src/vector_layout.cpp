@@ -50,13 +50,13 @@ typicalExtent (const std::vector<Eigen::Vector3d>& sample)
     return *middle;
   };
   std::vector<double> numbers (sample.size ());
-  Eigen::Vector3d center;
+  Eigen::Vector3d centre;
   for (int d = 0; d < 3; ++d) {
     std::transform (sample.begin (), sample.end (), numbers.begin (), [d] (const auto& point) { return point[d]; });
-    center[d] = middleOf (numbers);
+    centre[d] = middleOf (numbers);
   }
   std::transform (sample.begin (), sample.end (), numbers.begin (),
-                  [&] (const auto& point) { return (point - center).template lpNorm<Eigen::Infinity> (); });
+                  [&] (const auto& point) { return (point - centre).template lpNorm<Eigen::Infinity> (); });
   const double extent = middleOf (numbers);
   return extent > 0 ? extent : *std::max_element (numbers.begin (), numbers.end ());
 }

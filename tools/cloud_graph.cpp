@@ -5,6 +5,7 @@
 #include "tool.h"
 
 #include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/run_settings.h>
 
 #include <cstdio>
 
@@ -46,12 +47,9 @@ normalLayoutOf (const CloudFile& file, const std::string& advice)
 void
 checkPointCount (std::size_t finite_points, std::size_t k)
 {
-  if (finite_points < 3)
-    throw core::Error ("the cloud has " + std::to_string (finite_points) +
-                       " finite points, a surface needs 3 at least: give one that samples a surface");
-  if (finite_points < k)
-    note ("there are " + std::to_string (finite_points) + " finite points, fewer than k = " + std::to_string (k) +
-          ": every point has all others for neighbours");
+  const std::string warning = pointCountWarning (finite_points, k);
+  if (!warning.empty ())
+    note (warning);
 }
 
 CloudGraph

@@ -178,7 +178,9 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
   options.add ("-sheet_distance", "D|inf",
                "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds; "
                "inf: all lie on one",
-               "0.36 of their gap where close sheets are seen, else 4 noise_sigma, the largest; fast: inf",
+               "where close sheets are seen 0.36 of their gap, at most min (4 S, 1.2 spacings), S = noise_sigma; where "
+               "layers of a "
+               "depth camera are: inf; else max (4 S, min (4 largest S, 1.2 spacings)); fast: inf",
                [&, length] (const std::string& text) {
                  if (text == no_length)
                    settings.setSheetDistance (std::numeric_limits<double>::infinity ());
@@ -188,10 +190,11 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
 }
 
 void
-checkOptions (const core::SmoothingOptions& method)
+checkOptions (const core::SmoothingOptions& method, int k)
 {
   try {
     core::check (method);
+    core::checkNeighborCount (method, k);
   }
   catch (const core::Error& error) {
     throw UsageError (error.what ());
@@ -214,10 +217,11 @@ addSeedOption (Options& options, const std::string& standard, const std::functio
 }
 
 void
-SearchOptions::addTo (Options& options, const std::string& standard_k)
+SearchOptions::addTo (Options& options, const std::string& standard_k, int least_k, const std::string& more)
 {
-  options.add ("-k", "N", "neighbours of a point, itself included, at least 3", standard_k,
-               integerOption (3, 100000, [this] (std::int64_t number) { k = static_cast<int> (number); }));
+  options.add ("-k", "N", "neighbours of a point, itself included, at least " + std::to_string (least_k) + more,
+               standard_k,
+               integerOption (least_k, 100000, [this] (std::int64_t number) { k = static_cast<int> (number); }));
   options.add ("-radius", "R", "in place of -k: all neighbours closer than this, in the cloud's unit", "none",
                positiveOption ([this] (double length) { radius = length; }));
   options.add ("-max_radius", "R", "of the k neighbours only those closer than this, in the cloud's unit", "no limit",
@@ -248,7 +252,7 @@ addMethodOptions (Options& options,
                   const std::function<void (bool)>& save_normals)
 {
   addPresetOptions (options, settings);
-  search.addTo (options, presetStandardK ());
+  search.addTo (options, presetStandardK (), 3, "; 4 with -normals wpca, 7 in rounds");
   addFilterOptions (options, presetStandard, settings);
   addUpdateOptions (options, presetStandard, settings);
   addNoiseOptions (options, settings);

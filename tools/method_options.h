@@ -11,12 +11,9 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Parameters with public access to the preset's k. */
+/** Parameters without the class that smooths by them. */
 class MethodSettings : public SmoothingSettings
-{
-public:
-  using SmoothingSettings::presetK;
-};
+{};
 
 /** What holds without an option: the text for the help, from a text for a set of parameters. */
 using Standard = std::function<std::string (const std::function<std::string (const core::SmoothingOptions&)>&)>;
@@ -41,13 +38,14 @@ addFilterOptions (Options& options, const Standard& standard, SmoothingSettings&
 void
 addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings& settings);
 
-/** -noise_sigma -point_spacing -sheet_distance */
+/** -noise_sigma -noise_varies -bridge_gaps -point_spacing -sheet_distance */
 void
 addNoiseOptions (Options& options, SmoothingSettings& settings);
 
-/** \throw UsageError where an option does not fit the others */
+/** \param[in] k that is set; 0 = none
+  * \throw UsageError where an option does not fit the others */
 void
-checkOptions (const core::SmoothingOptions& method);
+checkOptions (const core::SmoothingOptions& method, int k = 0);
 
 /** Which options make the paper's chain run, for the help. */
 extern const char* const presets_and_chain;
@@ -72,9 +70,11 @@ struct SearchOptions
   double max_radius = 0;
   unsigned threads = 0;
 
-  /** \param[in] standard_k for the help */
+  /** \param[in] standard_k for the help
+    * \param[in] least_k refused below
+    * \param[in] more that the help has to say of the least */
   void
-  addTo (Options& options, const std::string& standard_k);
+  addTo (Options& options, const std::string& standard_k, int least_k = 3, const std::string& more = "");
 
   /** \param[in] standard_k where neither k nor a radius was given
     * \throw UsageError where both were */

@@ -78,6 +78,8 @@ numberOption (double least, double limit, const std::function<void (double)>& us
     if (!(number >= least && static_cast<float> (number) < limit))
       refuse (text, "a number of at least " + shortest (least) +
                         (std::isinf (limit) ? std::string () : " and below " + shortest (limit)));
+    if (number != 0 && static_cast<float> (number) == 0) // the work is done in float
+      refuse (text, "0, or a number from 1e-38 on");
     use (number);
   };
 }

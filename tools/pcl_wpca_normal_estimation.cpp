@@ -10,6 +10,7 @@ using namespace pcl_normal_smoothing;
 namespace
 {
 constexpr int standard_k = 15;
+constexpr int least_k = 4; // itself is left out
 
 class WPCANormalEstimationTool : public tools::Tool
 {
@@ -19,7 +20,7 @@ class WPCANormalEstimationTool : public tools::Tool
     options.describe (
         "Estimates normals by weighted PCA; writes normal_x normal_y normal_z curvature beside the other fields.",
         {"input.pcd|ply", "output.pcd|ply"});
-    search_.addTo (options, std::to_string (standard_k));
+    search_.addTo (options, std::to_string (standard_k), least_k);
     format_.addTo (options);
   }
 

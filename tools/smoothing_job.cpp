@@ -22,7 +22,7 @@ void
 SmoothingJob::check () const
 {
   query ();
-  checkOptions (smoothing_.options ());
+  checkOptions (smoothing_.options (), search_.k);
 }
 
 void

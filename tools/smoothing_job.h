@@ -83,13 +83,7 @@ public:
           bool with_report);
 
 private:
-  class Smoothing : public NormalSmoothing<pcl::PCLPointCloud2>
-  {
-  public:
-    using SmoothingSettings::presetK;
-  };
-
-  Smoothing smoothing_;
+  NormalSmoothing<pcl::PCLPointCloud2> smoothing_;
   SearchOptions search_;
   FormatOption format_;
 };

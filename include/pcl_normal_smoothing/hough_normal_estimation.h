@@ -92,6 +92,8 @@ protected:
   core::SurfaceEstimator
   makeEstimator () const override
   {
+    if (!this->neighbor_graph_)
+      core::checkNeighborCount (NormalSource::HOUGH, this->k_);
     return core::makeEstimator (NormalSource::HOUGH, options_);
   }
 

@@ -91,13 +91,13 @@ public:
   void
   setMaxDisplacement (double distance)
   {
-    options_.max_displacement = static_cast<float> (distance);
+    max_displacement_ = distance;
   }
 
   double
   getMaxDisplacement () const
   {
-    return options_.max_displacement;
+    return max_displacement_;
   }
 
   /** Neighbours are searched anew after this many iterations. Default 0: never. */
@@ -130,7 +130,8 @@ protected:
   applyFilter (PointCloud& output) override;
 
 private:
-  core::PointUpdateOptions options_;
+  core::PointUpdateOptions options_; // but for the displacement
+  double max_displacement_ = std::numeric_limits<double>::infinity ();
 };
 } // namespace pcl_normal_smoothing
 

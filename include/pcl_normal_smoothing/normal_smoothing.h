@@ -20,8 +20,9 @@ namespace pcl_normal_smoothing
   * organisation; a point that is not finite stays as it is and is nobody's neighbour. With setIndices the whole cloud is
   * smoothed and the indexed points are written.
   *
-  * Without k, radius and graph the preset chooses k. The result is the same, bit for bit, for any number of threads. On an
-  * error the output is empty, see filter and getErrorMessage. */
+  * Without k, radius and graph the preset chooses k; one that is set is at least 7 in rounds, in the chain 4 for WPCA and 3 for PCA
+  * and Hough. The result is the same, bit for bit, for any number of threads. On an error the output is empty, see filter and
+  * getErrorMessage. */
 template <typename PointT>
 class NormalSmoothing : public pcl::Filter<PointT>,
                         public SearchSettings<PointT>,
@@ -58,6 +59,12 @@ protected:
   defaultK () const override
   {
     return presetK ();
+  }
+
+  void
+  checkK (int k) const override
+  {
+    core::checkNeighborCount (options (), k);
   }
 };
 
@@ -109,6 +116,12 @@ protected:
   defaultK () const override
   {
     return presetK ();
+  }
+
+  void
+  checkK (int k) const override
+  {
+    core::checkNeighborCount (options (), k);
   }
 
 private:

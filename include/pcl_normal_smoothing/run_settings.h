@@ -3,7 +3,10 @@
 
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 
+#include <pcl/PCLPointCloud2.h>
+
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace pcl_normal_smoothing
@@ -17,6 +20,31 @@ enum class Outcome
   CANCELLED,
   FAILED
 };
+
+/** No points; header and fields stay. */
+template <typename CloudT>
+void
+emptyCloud (CloudT& cloud)
+{
+  if constexpr (std::is_same_v<CloudT, pcl::PCLPointCloud2>) {
+    cloud.data.clear ();
+    cloud.row_step = 0;
+  }
+  else
+    cloud.points.clear ();
+  cloud.width = cloud.height = 0;
+}
+
+/** What a filter's output is after its run: as it stands, the input where it was cancelled, empty where it failed. */
+template <typename CloudT>
+void
+settleOutput (Outcome outcome, const CloudT& input, CloudT& output)
+{
+  if (outcome == Outcome::CANCELLED)
+    output = input;
+  if (outcome == Outcome::FAILED)
+    emptyCloud (output);
+}
 
 /** What all classes of this module have in common: threads, progress, a shared neighbour graph, the last error. */
 class RunSettings
@@ -36,7 +64,8 @@ public:
   }
 
   /** Neighbourhoods that were searched before (buildNeighborGraph), of a cloud with the same points in the same order;
-    * k, radius and search method are not used then. Default none. */
+    * k, radius and search method are not used then, but for the later searches of a class that searches anew
+    * (setSearchInterval), which ask for k or a radius. Default none. */
   void
   setNeighborGraph (const NeighborGraph::ConstPtr& graph)
   {
@@ -132,16 +161,31 @@ protected:
   bool cancelled_ = false;
 };
 
+/** For messages: short, and not "0.000000" for what is small. */
+std::string
+lengthText (double length);
+
+/** A length as the work is done with it.
+  * \param[in] setter that it was given to, for the message
+  * \throw core::Error where float would make 0 or infinity of it, which it is not */
+float
+floatLength (double length, const std::string& name, const std::string& setter);
+
 /** \param[in] k number of neighbours, the point itself included; 0 = by radius
   * \param[in] radius 0 = by k
   * \param[in] max_distance limits k; 0 = no limit
-  * \throw core::Error unless exactly one of k and radius is above 0, and none below */
+  * \throw core::Error unless exactly one of k and radius is above 0, and none below, or float cannot hold a length */
 core::NeighborQuery
 makeNeighborQuery (int k, double radius, double max_distance);
 
 /** A warning in PCL's manner. */
 void
 warn (const std::string& class_name, const std::string& message);
+
+/** \return what to warn of where there are fewer finite points than k, else nothing
+  * \throw core::Error where there are fewer than 3 */
+std::string
+pointCountWarning (std::size_t finite_points, std::size_t k);
 
 /** Warns where there are fewer finite points than k.
   * \throw core::Error where there are fewer than 3 */

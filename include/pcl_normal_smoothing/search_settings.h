@@ -15,8 +15,8 @@ public:
   using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
   using SearchCloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
 
-  /** The search object to ask; it is given the input cloud. Default empty: this module's own search, which is exact and
-    * faster. */
+  /** The search object to ask; it is given the input cloud, and asked from many threads at once (setNumberOfThreads). Default
+    * empty: this module's own search, which is exact and faster. */
   void
   setSearchMethod (const SearchPtr& search)
   {
@@ -65,10 +65,18 @@ protected:
     return 0;
   }
 
+  /** \throw core::Error where the class can do nothing with so few neighbours; k 0 = by radius */
+  virtual void
+  checkK (int) const
+  {}
+
   core::NeighborQuery
   makeQuery () const
   {
-    return makeNeighborQuery (k_ == 0 && radius_ == 0 ? defaultK () : k_, radius_, max_neighbor_distance_);
+    const int k = k_ == 0 && radius_ == 0 ? defaultK () : k_;
+    const core::NeighborQuery query = makeNeighborQuery (k, radius_, max_neighbor_distance_);
+    checkK (k);
+    return query;
   }
 
   /** The graph that was set, or one searched now.
@@ -80,7 +88,8 @@ protected:
                const std::function<SearchCloudConstPtr ()>& cloud,
                const core::Execution& execution) const;
 
-  /** Searches the neighbours of moved nodes as the first were searched. */
+  /** Searches the neighbours of moved nodes as the first were searched; by k or the radius where these are of a graph that was set.
+    * \throw core::Error where neither is set beside a graph */
   core::Research
   makeResearch (const NeighborGraph::ConstPtr& graph, const std::function<SearchCloudConstPtr ()>& cloud) const;
 

@@ -11,15 +11,16 @@ namespace pcl_normal_smoothing
 enum class SmoothingPreset
 {
   DEFAULT, //!< the best quality: robust smoothing in rounds, by the noise that the cloud has
-  FAST,    //!< the best at three tenths of the cost: fewer rounds over smaller neighbourhoods
+  FAST,    //!< the best at about a third of the cost: fewer rounds over smaller neighbourhoods
   PAPER    //!< PGU7 of Valdivia et al. 2013 with 5 normal and 7 point iterations, as on its scanned bust
 };
 
 /** The parameters of NormalSmoothing.
   *
   * The presets DEFAULT and FAST smooth in rounds, which need no parameter. Where one of the parameters of the paper's chain
-  * is set (the normal filter's, or the update's rule or sigma_s), the chain runs in their place: WPCA, k 15, Gaussian
-  * weights, 2 normal iterations, 2 compensated point iterations, apart from what is set. */
+  * is set (the normal filter's, the update's rule or sigma_s, or a search interval above 0), the chain runs in their place: WPCA,
+  * k 15, Gaussian weights, 2 normal iterations, 2 compensated point iterations, apart from what is set. Defaults of those
+  * parameters are the chain's, and PAPER's where they differ. */
 class SmoothingSettings
 {
 public:
@@ -36,63 +37,63 @@ public:
     return preset_;
   }
 
-  /** Where the normals come from; in rounds: those of the first. Default NormalSource::WPCA. */
+  /** Where the normals come from; in rounds: those of the first. Default NormalSource::WPCA, PAPER: PCA. */
   void
   setNormalSource (NormalSource source)
   {
     normal_source_ = source;
   }
 
-  /** Which weight a neighbour's normal has in the filter. */
+  /** Which weight a neighbour's normal has in the filter. Chooses the chain. Default NormalWeight::GAUSSIAN. */
   void
   setNormalWeight (NormalWeight weight)
   {
     normal_weight_ = weight;
   }
 
-  /** T of eq. 3, range [0, 1). */
+  /** T of eq. 3, range [0, 1). Chooses the chain. Default 0.65. */
   void
   setThreshold (double threshold)
   {
     threshold_ = threshold;
   }
 
-  /** sigma_s of eq. 5, of the normal filter, range > 0. */
+  /** sigma_s of eq. 5, of the normal filter, range > 0. Chooses the chain. Default 0.3. */
   void
   setSigmaS (double sigma_s)
   {
     sigma_s_ = sigma_s;
   }
 
-  /** The threshold of eq. 7. */
+  /** The threshold of eq. 7. Chooses the chain. Default MixedThreshold::PRINTED. */
   void
   setMixedThreshold (MixedThreshold threshold)
   {
     mixed_threshold_ = threshold;
   }
 
-  /** Iterations of the normal filter, range >= 0. */
+  /** Iterations of the normal filter, range >= 0. Chooses the chain. Default 2, PAPER: 5. */
   void
   setNormalIterations (int iterations)
   {
     normal_iterations_ = iterations;
   }
 
-  /** How points move. */
+  /** How points move. Chooses the chain. Default UpdateRule::COMPENSATED, PAPER: UpdateRule::PAPER. */
   void
   setUpdateRule (UpdateRule rule)
   {
     update_rule_ = rule;
   }
 
-  /** sigma_s of eq. 9, of the point update, range > 0. */
+  /** sigma_s of eq. 9, of the point update, range > 0. Chooses the chain. Default 0.03, PAPER: 1/3. */
   void
   setUpdateSigmaS (double sigma_s)
   {
     update_sigma_s_ = sigma_s;
   }
 
-  /** Iterations of the point update, range >= 0; rounds of DEFAULT (6) and FAST (3), range 0 to 6. */
+  /** Iterations of the point update (2, PAPER: 7), range >= 0; rounds of DEFAULT (6) and FAST (3), range 0 to 6. */
   void
   setPointIterations (int iterations)
   {
@@ -107,7 +108,8 @@ public:
     max_displacement_ = distance;
   }
 
-  /** Neighbours of moved points are searched anew after this many iterations of the point update. Default 0: never. */
+  /** Neighbours of moved points are searched anew after this many iterations of the point update; above 0 it chooses the chain, as
+    * rounds never search anew. Default 0: never. */
   void
   setSearchInterval (int iterations)
   {
@@ -158,7 +160,8 @@ public:
 
   /** A neighbour that is farther than this from the mean of both points' tangent planes may lie on another sheet and is not
     * counted, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one. Default: where the cloud shows close
-    * sheets, .36 of the gap between them, else four times the largest noise; infinity for FAST. */
+    * sheets, .36 of the gap between them, at most the smaller of 4 sigma and 1.2 spacings; where it shows the layers of a depth
+    * camera, infinity; else max (4 sigma, min (4 of the largest sigma, 1.2 spacings)). For FAST infinity, whatever the cloud shows. */
   void
   setSheetDistance (double distance)
   {
@@ -173,22 +176,25 @@ public:
   }
 
   /** The preset with all that was set explicitly; what the cloud has to tell is below 0.
-    * \throw core::Error where the noise, the spacing or the sheet distance was set to what is no length, in rounds */
+    * \throw core::Error where the noise, the spacing or the sheet distance was set to what is no length, in rounds; where float
+    * cannot hold a length */
   core::SmoothingOptions
   options () const;
 
-  /** What the last run used, with what it estimated from the cloud: set explicitly, it gives the same result. */
+  /** What the last run used, with what it estimated from the cloud; of a run that failed or was cancelled, nothing: as constructed.
+    * Set explicitly, it gives the same result, where rounds.noise.field has regions with setNoiseVaries (true) besides. */
   const core::SmoothingOptions&
   usedOptions () const
   {
     return used_options_;
   }
 
-protected:
-  /** k of the preset, where neither k nor a radius is set. */
+  /** k where neither k, nor a radius, nor a graph is set: 32 of DEFAULT, 16 of FAST, 15 of the chain in their place, 7 of PAPER. Of a
+    * larger one that is set, or of more neighbours within a radius, the rounds look at the nearest 32. */
   int
   presetK () const;
 
+protected:
   ~SmoothingSettings () = default;
 
   core::SmoothingOptions used_options_;

@@ -9,7 +9,9 @@
 namespace pcl_normal_smoothing
 {
 /** Tells how noisy a scan is: the standard deviation of its noise along the surface's normal, from what quadrics through
-  * small neighbourhoods leave. NormalSmoothing uses the same estimate where setNoiseSigma gives none.
+  * small neighbourhoods leave. NormalSmoothing estimates so too where setNoiseSigma gives none, but follows what else it finds: where
+  * it tells close sheets apart, its sigma is that of the neighbourhoods without the other sheet; where it sees past coordinates in
+  * steps, its neighbourhoods, and so its spacing, are wider ones. Its usedOptions have what it used.
   *
   * Looks at a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter. The 16
   * nearest points are searched, unless a graph or a larger k is set. With setIndices the indexed points alone are the cloud:

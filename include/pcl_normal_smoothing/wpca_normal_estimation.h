@@ -9,7 +9,7 @@ namespace pcl_normal_smoothing
   * Point-based Surfaces" (SIBGRAPI 2013).
   *
   * A neighbour weighs the inverse of its distance, and the covariance is taken about the weighted centroid of the other
-  * points. Works wherever a pcl::Feature does. */
+  * points: k has to be at least 4, or 3 with a search surface (setSearchSurface). Works wherever a pcl::Feature does. */
 template <typename PointInT, typename PointOutT>
 class WPCANormalEstimation : public SurfaceNormalEstimation<PointInT, PointOutT>
 {
@@ -26,6 +26,9 @@ protected:
   core::SurfaceEstimator
   makeEstimator () const override
   {
+    const bool without_itself = !this->surface_ || this->surface_ == this->input_; // of another surface all are others
+    if (!this->neighbor_graph_)
+      core::checkNeighborCount (without_itself ? NormalSource::WPCA : NormalSource::PCA, this->k_);
     return core::makeEstimator (NormalSource::WPCA, {});
   }
 };

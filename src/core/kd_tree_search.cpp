@@ -129,7 +129,7 @@ KdTree::search (const Eigen::Vector3f& base,
 }
 
 float
-KdTree::ballRadius (const Coordinates& center, std::size_t branch, std::size_t k, Scratch& scratch) const
+KdTree::ballRadius (const Coordinates& centre, std::size_t branch, std::size_t k, Scratch& scratch) const
 {
   const Range range = ranges_[branch];
   if (range.end - range.begin < k)
@@ -139,7 +139,7 @@ KdTree::ballRadius (const Coordinates& center, std::size_t branch, std::size_t k
   float* const sq_dists = scratch.sq_dists.data ();
   for (std::size_t i = 0; i < size; ++i) {
     const Coordinates at = slotCoordinates (range.begin + i);
-    sq_dists[i] = square (at[0] - center[0]) + square (at[1] - center[1]) + square (at[2] - center[2]);
+    sq_dists[i] = square (at[0] - centre[0]) + square (at[1] - centre[1]) + square (at[2] - centre[2]);
   }
   return std::sqrt (kthKey (sq_dists, size, k, scratch.ranks)) * (1 + 1e-5f) + boxes_[branch].slack;
 }

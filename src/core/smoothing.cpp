@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace pcl_normal_smoothing
 {
@@ -40,6 +41,17 @@ check (const SmoothingOptions& options)
     check (rounds);
 }
 
+void
+checkNeighborCount (const SmoothingOptions& options, int k)
+{
+  constexpr int least_of_rounds = 7; // one more than a quadric has coefficients: min_fit_points of the kernels
+  if (!options.robust)
+    return checkNeighborCount (options.normals, k);
+  if (k > 0 && k < least_of_rounds)
+    throw Error ("k is " + std::to_string (k) + ", but the rounds fit quadrics, which need " +
+                 std::to_string (least_of_rounds) + " points: give k of at least " + std::to_string (least_of_rounds));
+}
+
 int
 smoothingDepth (const SmoothingOptions& options)
 {
@@ -69,8 +81,8 @@ void
 requireNormals (std::size_t nodes_with_normal)
 {
   if (nodes_with_normal == 0)
-    throw Error ("no point has a normal: every neighbourhood has fewer than 3 points or lies on a line; "
-                 "the cloud must sample a surface, with a neighbourhood that holds at least 3 points");
+    throw Error ("no point has a normal: every neighbourhood has fewer than 3 points, in WPCA 4, or lies on a line; "
+                 "the cloud must sample a surface, with a neighbourhood that holds at least 4 points");
 }
 
 void

@@ -10,6 +10,17 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
+void
+checkNeighborCount (NormalSource source, int k)
+{
+  const bool without_itself = source == NormalSource::WPCA;
+  const int least = without_itself ? 4 : source == NormalSource::INPUT ? 0 : 3;
+  if (k > 0 && k < least)
+    throw Error ("k is " + std::to_string (k) + ", the point itself included, but a normal needs " +
+                 (without_itself ? "three others in WPCA" : "three points") + ": give k of at least " +
+                 std::to_string (least));
+}
+
 SurfaceEstimator
 makeEstimator (NormalSource source, const HoughOptions& hough)
 {

@@ -11,11 +11,32 @@
 #include <gtest/gtest.h>
 #include <pcl/register_point_struct.h>
 
+#include <cstring>
 #include <memory>
+#include <new>
 
-/** A scanner's own point: the normal before the position, and a field that no type of PCL's has. */
+/** A scanner's own point: the normal before the position, and a field that no type of PCL's has. Its copies may fail as those of
+  * large clouds do. */
 struct EIGEN_ALIGN16 ScannerPoint
 {
+  ScannerPoint () = default;
+
+  ScannerPoint (const ScannerPoint& other)
+  {
+    *this = other;
+  }
+
+  ScannerPoint&
+  operator= (const ScannerPoint& other)
+  {
+    if (memory_is_short)
+      throw std::bad_alloc ();
+    std::memcpy (static_cast<void*> (this), static_cast<const void*> (&other), sizeof other);
+    return *this;
+  }
+
+  static inline bool memory_is_short = false;
+
   PCL_ADD_NORMAL4D;
   std::uint16_t ring;
   float curvature;
@@ -79,6 +100,22 @@ protected:
     }
   }
 
+  /** Nothing leaves filter () as an exception. */
+  template <template <typename> class FilterTemplate>
+  void
+  expectMessageWhereMemoryIsShort () const
+  {
+    FilterTemplate<ScannerPoint> filter;
+    filter.setInputCloud (custom_);
+    filter.setKSearch (10);
+    Cloud output;
+    ScannerPoint::memory_is_short = true;
+    EXPECT_NO_THROW (filter.filter (output));
+    ScannerPoint::memory_is_short = false;
+    EXPECT_NE (filter.getErrorMessage ().find ("memory"), std::string::npos) << filter.getErrorMessage ();
+    EXPECT_TRUE (output.empty ());
+  }
+
   template <template <typename, typename> class FeatureTemplate>
   void
   expectSameNormals () const
@@ -109,6 +146,13 @@ TEST_F (CustomPointType, IsFilteredAsPclsOwn)
   expectSameAsKnownType<BilateralNormalFilter> ();
   expectSameAsKnownType<NormalGuidedPointUpdate> ();
   expectSameAsKnownType<NormalSmoothing> ();
+}
+
+TEST_F (CustomPointType, TooLittleMemoryForTheOutputIsAnError)
+{
+  expectMessageWhereMemoryIsShort<BilateralNormalFilter> ();
+  expectMessageWhereMemoryIsShort<NormalGuidedPointUpdate> ();
+  expectMessageWhereMemoryIsShort<NormalSmoothing> ();
 }
 
 TEST_F (CustomPointType, HasTheNormalsOfPclsOwn)

@@ -85,14 +85,26 @@ TYPED_TEST (FeatureEdges, ParametersAtTheirBoundsGiveNormalsOrNone)
   this->prepare (feature);
   for (const int k : {1, 2, 3, 4, 300, 301, 2147483647}) {
     feature.setKSearch (k);
+    if (k < TestFixture::least_k) {
+      this->expectError (feature, "k is " + std::to_string (k));
+      continue;
+    }
     const auto output = this->run (feature);
     ASSERT_EQ (output.size (), 300u);
-    EXPECT_EQ (output.is_dense, k >= TestFixture::least_k);
+    EXPECT_TRUE (output.is_dense);
   }
+  feature.setSearchSurface (makeCloud<typename TestFixture::PointIn> (sphere (300, 2).points, this->shape_.normals));
+  feature.setKSearch (3); // all of them are others
+  EXPECT_TRUE (this->run (feature).is_dense);
+  feature.setSearchSurface (nullptr);
   feature.setKSearch (0);
-  for (const double radius : {1e-300, 1e-30, 1e30, 1e300}) {
+  for (const double radius : {1e-37, 1e-30, 1e30, 1e38}) {
     feature.setRadiusSearch (radius);
     EXPECT_EQ (this->run (feature).is_dense, radius > 1) << radius;
+  }
+  for (const auto& [radius, name] : {std::pair (1e-300, "1e-300"), std::pair (1e300, "1e+300")}) {
+    feature.setRadiusSearch (radius);
+    this->expectError (feature, name);
   }
 }
 

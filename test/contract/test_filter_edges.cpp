@@ -55,7 +55,7 @@ TYPED_TEST (FilterEdges, AsManyPointsAsNeighboursOneLessAndOneMore)
     const auto output = this->run (filter);
     EXPECT_EQ (output.size (), count);
     this->expectDefined (filter, count);
-    if (count > 10)
+    if (count > 10 || (count < 7 && TestFixture::Traits::estimates_normals)) // too few for k, not for a cloud
       continue;
     this->prepareFor (of_all, points, normals);
     of_all.setKSearch (static_cast<int> (count));

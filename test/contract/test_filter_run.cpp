@@ -80,6 +80,19 @@ TYPED_TEST (FilterRun, CancelledItsOutputIsTheInput)
   }
 }
 
+TYPED_TEST (FilterRun, OptionsOfAnEarlierRunDoNotOutliveOneThatFails)
+{
+  if constexpr (TestFixture::Traits::estimates_normals) {
+    TypeParam filter;
+    this->prepare (filter);
+    this->run (filter);
+    EXPECT_GT (filter.usedOptions ().rounds.noise.sigma, 0);
+    filter.setKSearch (-3);
+    this->expectError (filter, "-3");
+    EXPECT_EQ (filter.usedOptions ().rounds.noise.sigma, 0);
+  }
+}
+
 TYPED_TEST (FilterRun, AnExceptionOfTheCallbackIsAnError)
 {
   TypeParam filter;

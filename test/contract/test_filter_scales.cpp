@@ -131,6 +131,30 @@ TYPED_TEST (FilterScales, AFewPointsFarOffDoNotSpoilTheRest)
   }
 }
 
+TYPED_TEST (FilterScales, ALengthThatFloatCannotHoldIsAnErrorThatNamesIt)
+{
+  const auto expectRefused = [this] (const auto& set) {
+    for (const auto& [length, name] : {std::pair (1e-50, "1e-50"), std::pair (1e50, "1e+50")}) {
+      TypeParam filter;
+      this->prepare (filter);
+      set (filter, length);
+      this->expectError (filter, name);
+    }
+  };
+  expectRefused ([] (TypeParam& filter, double length) {
+    filter.setKSearch (0);
+    filter.setRadiusSearch (length);
+  });
+  expectRefused ([] (TypeParam& filter, double length) { filter.setMaxNeighborDistance (length); });
+  if constexpr (TestFixture::Traits::writes_points)
+    expectRefused ([] (TypeParam& filter, double length) { filter.setMaxDisplacement (length); });
+  if constexpr (TestFixture::Traits::estimates_normals) {
+    expectRefused ([] (TypeParam& filter, double length) { filter.setNoiseSigma (length); });
+    expectRefused ([] (TypeParam& filter, double length) { filter.setPointSpacing (length); });
+    expectRefused ([] (TypeParam& filter, double length) { filter.setSheetDistance (length); });
+  }
+}
+
 using Smoothing = NormalSmoothing<pcl::PointXYZ>;
 
 class SmoothingScales : public FilterScales<Smoothing>

@@ -101,10 +101,10 @@ TYPED_TEST (FilterSearch, ASearchMayFindLessThanItWasGivenRoomFor)
   using PointT = typename TestFixture::Point;
   TypeParam filter;
   this->prepare (filter);
-  filter.setKSearch (6);
+  filter.setKSearch (8);
   const auto expected = this->run (filter);
   filter.setKSearch (10);
-  filter.setSearchMethod (std::make_shared<ShortSearch<PointT>> (6));
+  filter.setSearchMethod (std::make_shared<ShortSearch<PointT>> (8));
   expectSamePoints (this->run (filter), expected);
 }
 
@@ -144,6 +144,23 @@ TYPED_TEST (FilterSearch, ASharedGraphGivesTheSame)
   }
 }
 
+TYPED_TEST (FilterSearch, WhereNeighboursAreSearchedAnewAGraphNeedsKBesides)
+{
+  if constexpr (TestFixture::Traits::writes_points) {
+    using PointT = typename TestFixture::Point;
+    TypeParam filter;
+    this->prepare (filter);
+    filter.setSearchInterval (1);
+    const auto expected = this->run (filter);
+    filter.setNeighborGraph (buildNeighborGraph<PointT> (this->cloud_, 10));
+    expectSamePoints (this->run (filter), expected);
+    filter.setKSearch (0);
+    this->expectError (filter, "setSearchInterval (0)");
+    filter.setRadiusSearch (0.35);
+    this->run (filter);
+  }
+}
+
 TYPED_TEST (FilterSearch, AGraphOfAnotherCloudIsRefused)
 {
   using PointT = typename TestFixture::Point;
@@ -159,5 +176,40 @@ TYPED_TEST (FilterSearch, AGraphOfAnotherCloudIsRefused)
   this->expectError (filter, "123");
   filter.setNeighborGraph (nullptr);
   this->run (filter);
+}
+
+/** What NormalSmoothing needs of k, for each way that it has. */
+TEST (SmoothingK, TooSmallForAnyNormalOrQuadricItIsAnError)
+{
+  using Smoothing = pcl_normal_smoothing::NormalSmoothing<pcl::PointNormal>;
+  using pcl_normal_smoothing::NormalSource;
+  const Shape shape = torus (300, 1, 0.4);
+  const auto cloud = makeCloud<pcl::PointNormal> (withNoise (shape.points, 0.03, 100), shape.normals);
+  const auto messageFor = [&] (int k, const auto& set, const pcl_normal_smoothing::NeighborGraph::ConstPtr& graph) {
+    Smoothing smoothing;
+    smoothing.setInputCloud (cloud);
+    smoothing.setKSearch (k);
+    smoothing.setNeighborGraph (graph);
+    set (smoothing);
+    pcl::PointCloud<pcl::PointNormal> output;
+    smoothing.filter (output);
+    EXPECT_EQ (output.empty (), !smoothing.getErrorMessage ().empty ());
+    return smoothing.getErrorMessage ();
+  };
+  const auto expectLeast = [&] (int least, const auto& set) {
+    if (least > 1) {
+      EXPECT_TRUE (contains (messageFor (least - 1, set, nullptr), "at least " + std::to_string (least))) << least;
+    }
+    EXPECT_EQ (messageFor (least, set, nullptr), "");
+  };
+  expectLeast (7, [] (Smoothing&) {});
+  for (const auto& [source, least] : {std::pair (NormalSource::WPCA, 4), std::pair (NormalSource::PCA, 3),
+                                      std::pair (NormalSource::HOUGH, 3), std::pair (NormalSource::INPUT, 1)})
+    expectLeast (least, [source = source] (Smoothing& chain) {
+      chain.setNormalIterations (1);
+      chain.setNormalSource (source);
+    });
+  const auto none = [] (Smoothing&) {};
+  EXPECT_EQ (messageFor (3, none, buildNeighborGraph<pcl::PointNormal> (cloud, 10)), ""); // a graph needs no k
 }
 } // namespace

@@ -52,6 +52,13 @@ TEST_F (Usage, MissingValue)
   expectRefused ("pcl_normal_smoothing -k -radius 3 wave.pcd out.pcd", "-k");
 }
 
+TEST_F (Usage, TooFewNeighboursForTheMethod)
+{
+  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -k 6", "at least 7");
+  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -weights gaussian -k 3", "at least 4");
+  expectRefused ("pcl_wpca_normal_estimation wave.pcd out.pcd -k 3", "-k");
+}
+
 TEST_F (Usage, MalformedValue)
 {
   for (const std::string option : {"-k 15x",
@@ -77,6 +84,7 @@ TEST_F (Usage, MalformedValue)
                                    "-format xml",
                                    "-preset slow",
                                    "-noise_sigma -1",
+                                   "-noise_sigma 1e-99",
                                    "-sheet_distance -1",
                                    "-max_displacement 0",
                                    "-update PAPER"})

@@ -57,7 +57,8 @@ TEST (ViewerParameters, StayWithinTheirRanges)
 {
   EXPECT_EQ (press ({"I"}, rounds), (Given {{"-point_iterations", "6"}}));
   EXPECT_EQ (press ({"I"}, chain + " -point_iterations 6"), (Given {{"-point_iterations", "7"}}));
-  EXPECT_EQ (press ({"k"}, "-preset default -k 3"), (Given {{"-k", "3"}}));
+  EXPECT_EQ (press ({"k"}, "-preset paper -k 3"), (Given {{"-k", "3"}}));
+  EXPECT_EQ (press ({"k"}, "-preset default -k 7 -noise_sigma 0.01"), (Given {{"-k", "7"}}));
   EXPECT_EQ (press ({"n"}, "-preset paper -normal_iterations 0"), (Given {{"-normal_iterations", "0"}}));
 }
 

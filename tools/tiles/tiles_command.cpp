@@ -151,7 +151,7 @@ TilesCommand::plan (const Options& options)
     throw UsageError ("no file is given: plan needs PCD or PLY files");
   request_.folder = options.file (1);
   request_.options = method_.options ();
-  checkOptions (request_.options);
+  checkOptions (request_.options, search_.k);
   request_.query = search_.query (method_.presetK ());
   request_.threads = search_.threads;
   request_.memory = memory_;

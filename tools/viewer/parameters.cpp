@@ -25,6 +25,7 @@ const std::array<std::string, 3> presets {"default", "fast", "paper"};
 const std::vector<std::string> hidden {"-seed", "-oriented", "-max_radius"};
 
 constexpr int most_rounds = 6; // of the presets default and fast, see SmoothingSettings::setPointIterations
+constexpr long least_k_of_rounds = 7;
 constexpr double factor = 1.25;
 
 std::string
@@ -42,7 +43,8 @@ integerStep (const std::string& option, const std::string& text, int direction, 
   const long number = std::atol (text.c_str ());
   if (option != "-k")
     return std::to_string (std::clamp (number + direction, 0L, rounds ? most_rounds : 1000L));
-  return std::to_string (std::clamp (number + direction * std::max (1L, number / 4), 3L, 256L));
+  return std::to_string (
+      std::clamp (number + direction * std::max (1L, number / 4), rounds ? least_k_of_rounds : 3L, 256L));
 }
 
 bool

@@ -106,9 +106,9 @@ private:
     return {at[0], at[1], at[2], 0};
   }
 
-  /** Radius of a ball about \a center that holds \a k of the points of \a branch; infinity where there are fewer. */
+  /** Radius of a ball about \a centre that holds \a k of the points of \a branch; infinity where there are fewer. */
   float
-  ballRadius (const Coordinates& center, std::size_t branch, std::size_t k, Scratch& scratch) const;
+  ballRadius (const Coordinates& centre, std::size_t branch, std::size_t k, Scratch& scratch) const;
 
   /** The leaves that are not farther than \a reach from \a box: scratch.nodes. */
   void

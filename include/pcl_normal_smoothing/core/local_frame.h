@@ -10,7 +10,7 @@ namespace core
 /** What a neighbourhood tells of the surface. */
 struct LocalSurface
 {
-  /** Length 1, sign arbitrary; NaN where the neighbourhood has fewer than 3 points or they lie on a line. */
+  /** Length 1, sign arbitrary; NaN where fewer than 3 points count or they lie on a line. WPCA does not count the point itself. */
   Eigen::Vector3f normal;
   /** Surface variation, l0 / (l0 + l1 + l2) with l0 the smallest eigenvalue of the covariance (Pauly et al. 2002): 0 to
     * 1/3; NaN with the normal. */
@@ -25,7 +25,7 @@ LocalSurface
 pcaSurface (const Neighborhood& neighborhood);
 
 /** WPCA, eq. 1 of Valdivia et al. 2013: weight 1 / |p_j - p_i| over the other points, about their weighted centroid.
-  * Points at distance zero are skipped: they carry no direction. */
+  * Points at distance zero are skipped: they carry no direction. So three others are needed. */
 LocalSurface
 wpcaSurface (const Neighborhood& neighborhood);
 } // namespace core

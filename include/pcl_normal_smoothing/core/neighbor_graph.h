@@ -23,7 +23,7 @@ public:
   using ConstPtr = std::shared_ptr<const NeighborGraph>;
 
   /** Replaces \a neighbors by the indices in the cloud of the neighbours of the point with that index, in any order,
-    * with or without the point itself. */
+    * with or without the point itself. Called from many threads. */
   using Search = std::function<void (std::uint32_t index, std::vector<std::uint32_t>& neighbors)>;
 
   /** Searches the neighbours of all finite points.

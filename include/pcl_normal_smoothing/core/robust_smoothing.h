@@ -32,7 +32,8 @@ struct RobustSmoothingOptions
 void
 check (const RobustSmoothingOptions& options);
 
-/** Normals for the rounds to start from: WPCA (eq. 1) over the \a k nearest, in float; NaN where there are fewer than 3. */
+/** Normals for the rounds to start from: WPCA (eq. 1) over the \a k nearest, in float; NaN where there are fewer than 3. Of 3 it is
+  * any normal across the line of the other two, or NaN. */
 Vectors
 startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k = 12);
 

@@ -36,6 +36,12 @@ struct SmoothingOptions
 void
 check (const SmoothingOptions& options);
 
+/** \param[in] k number of neighbours, the point itself included; 0 = by radius
+  * \throw Error where nothing would be smoothed by so few: below 7 in rounds, which fit quadrics, else see
+  * checkNeighborCount (NormalSource, int) */
+void
+checkNeighborCount (const SmoothingOptions& options, int k);
+
 /** How far along the rows smooth looks: what becomes of a node depends on nodes that are so many hops off, and on the rows of those
   * that are fewer hops off. Not where neighbours are searched anew (update.search_interval): then it has no bound.
   * \param[in] options without anything to estimate */

@@ -20,6 +20,11 @@ namespace core
 /** One point's neighbourhood to its surface. Called from many threads. */
 using SurfaceEstimator = std::function<LocalSurface (const Neighborhood&)>;
 
+/** \param[in] k number of neighbours, the point itself included; 0 = by radius
+  * \throw Error where no neighbourhood of k points would have a normal: below 4 for WPCA, below 3 for PCA and HOUGH */
+void
+checkNeighborCount (NormalSource source, int k);
+
 /** \throw Error for NormalSource::INPUT, and where a Hough option is out of range */
 SurfaceEstimator
 makeEstimator (NormalSource source, const HoughOptions& hough);
@@ -38,7 +43,7 @@ estimateNormals (const NeighborGraph& graph,
                  const SurfaceEstimator& estimator,
                  const Execution& execution);
 
-/** Replaces \a neighbors by the numbers of the neighbours of query point \a i, in any order. */
+/** Replaces \a neighbors by the numbers of the neighbours of query point \a i, in any order. Called from many threads. */
 using QuerySearch = std::function<void (std::size_t i, std::vector<std::uint32_t>& neighbors)>;
 
 /** The surfaces at points that need not be among those that sample it; query.k counts whatever is found.

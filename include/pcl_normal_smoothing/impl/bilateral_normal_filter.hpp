@@ -17,9 +17,11 @@ BilateralNormalFilter<PointT>::run (NeighborGraph::ConstPtr& graph)
   const VectorView input_normals = chooseNormals (*this->input_, input_normals_);
   const core::Execution execution = this->execution ();
   const core::Positions cloud = readPositions (positionsOf (*this->input_), execution.silent ());
-  graph = this->obtainGraph (this->filter_name_, cloud, [this] { return this->input_; }, execution.part (0, 0.7));
+  graph = this->obtainGraph (
+      this->filter_name_, cloud, [this] { return this->input_; }, execution.part (0, 0.7));
   core::Vectors normals = readNormals (input_normals, graph->order ());
-  core::filterNormals (*graph, gather (cloud, graph->order (), execution.silent ()), options_, execution.part (0.7, 1), normals);
+  core::filterNormals (*graph, gather (cloud, graph->order (), execution.silent ()), options_, execution.part (0.7, 1),
+                       normals);
   return normals;
 }
 
@@ -27,8 +29,8 @@ template <typename PointT>
 void
 BilateralNormalFilter<PointT>::applyFilter (PointCloud& output)
 {
-  output = *this->input_;
   const Outcome outcome = this->attempt (this->filter_name_, [&] {
+    output = *this->input_;
     if constexpr (pcl::traits::has_normal<PointT>::value) {
       NeighborGraph::ConstPtr graph;
       const std::vector<bool> selected = selectPoints (*this->indices_, output.size ());

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/run_settings.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 
 #include <pcl/point_types.h>
@@ -24,18 +23,5 @@ chooseNormals (const pcl::PointCloud<PointT>& cloud, const pcl::PointCloud<pcl::
     return normalsOf (cloud);
   else
     throw core::Error ("the point type has no normals: call setInputNormals");
-}
-
-/** What a filter's output is after its run: as it stands, the input where it was cancelled, empty where it failed. */
-template <typename CloudT>
-void
-settleOutput (Outcome outcome, const CloudT& input, CloudT& output)
-{
-  if (outcome == Outcome::CANCELLED)
-    output = input;
-  if (outcome == Outcome::FAILED) {
-    output.points.clear ();
-    output.width = output.height = 0;
-  }
 }
 } // namespace pcl_normal_smoothing

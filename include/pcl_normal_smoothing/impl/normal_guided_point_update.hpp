@@ -11,9 +11,11 @@ template <typename PointT>
 void
 NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
 {
-  output = *this->input_;
   const Outcome outcome = this->attempt (this->filter_name_, [&] {
-    core::check (options_);
+    output = *this->input_;
+    core::PointUpdateOptions options = options_;
+    options.max_displacement = floatLength (max_displacement_, "the maximal displacement", "setMaxDisplacement");
+    core::check (options);
     const std::vector<bool> selected = selectPoints (*this->indices_, output.size ());
     const VectorView input_normals = chooseNormals (*this->input_, input_normals_);
     const core::Execution execution = this->execution ();
@@ -23,9 +25,8 @@ NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
     const auto graph = this->obtainGraph (this->filter_name_, cloud, input, execution.part (0, 0.7));
     core::Positions nodes = gather (cloud, graph->order (), execution.silent ());
     const core::Vectors start = core::startOf (nodes);
-    const core::Research research =
-        options_.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();
-    core::updatePoints (graph, readNormals (input_normals, graph->order ()), options_.inUnit (nodes.unit), research,
+    const core::Research research = options.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();
+    core::updatePoints (graph, readNormals (input_normals, graph->order ()), options.inUnit (nodes.unit), research,
                         execution.part (0.7, 1), nodes);
     writeDisplacements (displacements (start, nodes), nodes.unit, graph->order (), selected, positionLayout<PointT> (),
                         reinterpret_cast<std::uint8_t*> (output.data ()));

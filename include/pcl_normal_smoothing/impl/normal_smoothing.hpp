@@ -12,8 +12,9 @@ template <typename PointT>
 void
 NormalSmoothing<PointT>::applyFilter (PointCloud& output)
 {
-  output = *this->input_;
   const Outcome outcome = this->attempt (this->filter_name_, [&] {
+    used_options_ = {};
+    output = *this->input_;
     const core::SmoothingOptions options = this->options ();
     std::optional<VectorView> normals;
     if (options.normals == NormalSource::INPUT)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/search_settings.h>
 
 namespace pcl_normal_smoothing
@@ -29,6 +30,9 @@ core::Research
 SearchSettings<PointT>::makeResearch (const NeighborGraph::ConstPtr& graph,
                                       const std::function<SearchCloudConstPtr ()>& cloud) const
 {
+  if (neighbor_graph_ && k_ == 0 && radius_ == 0) // how the graph was searched it does not say
+    throw core::Error ("a neighbour graph and a search interval are set, but neither k nor a radius to search anew by: "
+                       "call setKSearch or setRadiusSearch, or setSearchInterval (0)");
   const core::NeighborQuery query = makeQuery ();
   const core::Execution quiet (threads_);
   if (!search_)

@@ -38,7 +38,7 @@ SurfaceNoiseEstimation<PointT>::compute ()
   estimate_ = {};
   const Outcome outcome = this->attempt ("SurfaceNoiseEstimation", [this] {
     if (!this->initCompute ())
-      throw core::Error ("no input cloud is set: call setInputCloud");
+      this->failWithoutInput ();
     const typename pcl::PointCloud<PointT>::ConstPtr points = indexedPoints ();
     const core::Positions cloud = readPositions (positionsOf (*points));
     const auto graph = this->obtainGraph (

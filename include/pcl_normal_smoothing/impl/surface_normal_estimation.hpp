@@ -13,7 +13,7 @@ SurfaceNormalEstimation<PointInT, PointOutT>::initCompute ()
 {
   const Outcome outcome = attempt (this->feature_name_, [this] {
     if (!pcl::PCLBase<PointInT>::initCompute ())
-      throw core::Error ("no input cloud is set: call setInputCloud");
+      failWithoutInput ();
     if (this->input_->empty ())
       throw core::Error ("the input cloud is empty: give it points");
     selectPoints (*this->indices_, this->input_->size ());
@@ -46,10 +46,8 @@ SurfaceNormalEstimation<PointInT, PointOutT>::computeFeature (PointCloudOut& out
       output.is_dense = output.is_dense && std::isfinite (surfaces[i].variation);
     }
   });
-  if (outcome != Outcome::DONE) {
-    output.clear ();
-    output.width = output.height = 0;
-  }
+  if (outcome != Outcome::DONE)
+    emptyCloud (output);
 }
 
 template <typename PointInT, typename PointOutT>

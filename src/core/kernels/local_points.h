@@ -94,7 +94,8 @@ weightedPlaneNormal (const LocalPoints& local)
                               yz * scale - y * z, zz * scale - z * z);
 }
 
-/** The normals that the rounds start from; NaN where a row has fewer than 3 points or they are all equal. */
+/** The normals that the rounds start from; NaN where a row has fewer than 3 points or they are all equal. In a row of 3 the two
+  * others lie on a line, and rounding decides. */
 LANES_INLINE void
 startNormals (const NormalOfNodes& normals, const BlockRows& rows, int first)
 {

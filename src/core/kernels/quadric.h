@@ -44,7 +44,7 @@ public:
       moments_[i] += terms[i];
     const Lanes heights[] = {wh, wh * u, wh * v, wh * u * u, wh * u * v, wh * v * v};
     for (int i = 0; i < 6; ++i)
-      heights_[i] += heights[i];
+      height_moments_[i] += heights[i];
   }
 
   /** Cholesky decomposition of the normal equations.
@@ -69,7 +69,7 @@ public:
         else
           lower[i][j] = sum * inverse_diagonal[j];
       }
-      Lanes sum = heights_[i];
+      Lanes sum = height_moments_[i];
       for (int t = 0; t < i; ++t)
         sum -= lower[i][t] * solution[t];
       solution[i] = sum * inverse_diagonal[i];
@@ -77,14 +77,15 @@ public:
     for (int i = 5; i >= 0; --i) {
       Lanes sum = solution[i];
       for (int t = i + 1; t < 6; ++t)
-        sum -= lower[t][i] * a[t];
-      a[i] = sum * inverse_diagonal[i];
+        sum -= lower[t][i] * coefficients_[t];
+      coefficients_[i] = sum * inverse_diagonal[i];
     }
   }
 
   LANES_INLINE Lanes
   height (Lanes u, Lanes v) const
   {
+    const Lanes* const a = coefficients_;
     return a[0] + a[1] * u + a[2] * v + (a[3] * u + a[4] * v) * u + a[5] * v * v;
   }
 
@@ -92,22 +93,22 @@ public:
   LANES_INLINE Lanes
   squaredSlope () const
   {
-    return 1 + a[1] * a[1] + a[2] * a[2];
+    return 1 + coefficients_[1] * coefficients_[1] + coefficients_[2] * coefficients_[2];
   }
 
   /** The normal at the origin. */
   LANES_INLINE Lanes3
   normal (const Frame& frame) const
   {
-    return normalized ((frame.normal - a[1] * frame.u) - a[2] * frame.v);
+    return normalized ((frame.normal - coefficients_[1] * frame.u) - coefficients_[2] * frame.v);
   }
 
 private:
   static constexpr float smallest_ridge = 1e-7f; // what float arithmetic needs
 
   Lanes moments_[15] = {}; // 1 u v uu uv vv uuu uuv uvv vvv uuuu uuuv uuvv uvvv vvvv
-  Lanes heights_[6] = {};
-  Lanes a[6] = {};
+  Lanes height_moments_[6] = {};
+  Lanes coefficients_[6] = {};
 };
 
 /** The eigenvector of the smallest eigenvalue of a symmetric positive semidefinite matrix
