@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measures/neighborhoods.h"
 
-#include <pcl_normal_smoothing/core/local_frame.h>
+#include <pcl_normal_smoothing/core/local_surface.h>
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 
 #include <algorithm>

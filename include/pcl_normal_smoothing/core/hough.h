@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/local_frame.h>
+#include <pcl_normal_smoothing/core/local_surface.h>
 
 namespace pcl_normal_smoothing
 {
@@ -15,9 +15,9 @@ struct HoughOptions
   float confidence = 0.95f;
   /** d: how close, in (0, 1). At most T = ln (2 M / (1 - a)) / (2 d^2) triples are drawn, M the number of bins. */
   float tolerance = 0.08f;
-  /** n_phi: bands of a bin's height between the poles, at least 2. */
+  /** n_phi: bands of a bin's height between the poles, 2 to 1000. */
   int bands = 15;
-  /** Randomly rotated accumulators, against the bias of the grid, at least 1. */
+  /** Randomly rotated accumulators, against the bias of the grid, 1 to 1000. */
   int rotations = 5;
   std::uint64_t seed = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/local_frame.h>
+#include <pcl_normal_smoothing/core/local_surface.h>
 
 #include <Eigen/Eigenvalues>
 
