@@ -71,9 +71,9 @@ areAlike (const std::vector<LocalValue>& steps, float spacing)
 
 /** Where there is rounding alone, all steps are clear; noise before it frays them. */
 float
-noiseOfStep (double order)
+noiseOfStep (double share_stepped)
 {
-  return static_cast<float> (.29 + .5 * (1 - order));
+  return static_cast<float> (.29 + .5 * (1 - share_stepped));
 }
 
 /** A first look, for clouds with noise. */
@@ -116,7 +116,7 @@ public:
     if (!have_layers || !(spacing > 0) || !areAlike (steps, spacing))
       return {};
     return {regionalMedians (sample_.inPlace (halvings_), spacing), regionalMedians (steps, spacing),
-            noiseOfStep (order_)};
+            noiseOfStep (share_stepped_)};
   }
 
 private:
@@ -143,14 +143,14 @@ private:
     if (flat <= min_share_flat * all || parallel <= min_share_parallel * flat ||
         off <= std::max (min_share_off * flat, min_count_off) || stepped <= min_share_stepped * off)
       return false;
-    order_ = std::max (order_, stepped / off);
+    share_stepped_ = std::max (share_stepped_, stepped / off);
     return true;
   }
 
   const ThinnedSample& sample_;
   std::vector<float> halvings_; // until the nearest of a point of the sample are not in a plane
   std::vector<float> steps_;    // to the next layer, 0 where none was seen
-  double order_ = 0;            // at best, the share of the points off which there is anything, that see a layer
+  double share_stepped_ = 0;            // at best, the share of the points off which there is anything, that see a layer
 };
 } // namespace
 

@@ -20,7 +20,7 @@ constexpr double min_share_beside = 0.1;
 constexpr double min_peak_over_valley = 1.5;
 // The layers of a depth camera: points of one lie in a plane, but for this part of the step to the next; and that one lies so much
 // to one side (the median of SheetSample::sides), where a sheet lies above.
-constexpr float noise_of_layer = .01f;
+constexpr float least_sigma_of_gap = .01f;
 constexpr float side_of_layer = .6f;
 
 /** Where the neighbours of a node on other sheets lie, seen along its normal: above it and below. */
@@ -126,7 +126,7 @@ estimateSheets (SheetSample sample, float distance)
   const std::vector<float> near = those (heights, [&] (float height) { return height < gap / 2; });
   // Both points of a pair have noise.
   const float sigma = quantile (near, .5) / (0.6745f * std::sqrt (2.0f));
-  if (sigma < noise_of_layer * gap && quantile (sample.sides, .5) > side_of_layer)
+  if (sigma < least_sigma_of_gap * gap && quantile (sample.sides, .5) > side_of_layer)
     return {};
   return {gap, sigma};
 }

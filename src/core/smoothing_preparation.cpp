@@ -26,7 +26,7 @@ constexpr float sheet_noise_factor = 1.4f;
 // Nearer than that they are layers of one wall that faces a depth camera.
 constexpr float sheet_steps = 1.5f;
 // Of the noise: where sheets are told apart that nobody saw, less than this is not what noise leaves.
-constexpr float noise_of_layers = .25f;
+constexpr float least_noise_left = .25f;
 
 /** What is given counts before what is estimated. */
 NoiseEstimate
@@ -188,7 +188,7 @@ SmoothingPreparation::areLayers (const NoiseEstimate& mixed,
                                  const NoiseEstimate& separated,
                                  const SheetEstimate& sheets)
 {
-  return !(sheets.gap > 0) && separated.spacing > 0 && separated.sigma < noise_of_layers * mixed.sigma;
+  return !(sheets.gap > 0) && separated.spacing > 0 && separated.sigma < least_noise_left * mixed.sigma;
 }
 
 void

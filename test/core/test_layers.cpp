@@ -247,6 +247,21 @@ TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
   EXPECT_GT (layersOf (noisy).noise_of_step, layersOf (clear).noise_of_step + 0.1f);
 }
 
+TEST (LayersTest, LayersOfAWallThatFacesTheCameraAreNoSheets)
+{
+  const double step = 0.045;
+  const auto facing = [&] (double x, double y) {
+    const double noise = std::sin (31 * x) * std::cos (37 * y) + std::sin (53 * y + 1) * std::cos (47 * x);
+    return 0.05 * x + 0.6 * step * noise;
+  };
+  const Searched cloud (inSteps (facing, step));
+  SmoothingOptions options = bridgingOptions (false);
+  NeighborGraph::ConstPtr graph = cloud.graph;
+  prepareSmoothing (cloud.nodes, {}, Execution (2), graph, options);
+  ASSERT_TRUE (options.bridge_gaps);
+  EXPECT_GT (options.rounds.sheet_distance, step);
+}
+
 TEST (LayersTest, FewNeighboursAreEnough)
 {
   const Vectors points = inSteps (tilted, 0.02);
