@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl_normal_smoothing
 {
@@ -17,29 +18,59 @@ constexpr double surely_line = .1;
 constexpr double perhaps_line = .2;
 constexpr double min_share_of_lines = .06;
 // Of the variance across, that out of the plane: nothing but the line and its noise, which lies in the plane of the scan.
-constexpr double flat = .01;
+constexpr double surely_flat = .002;
+constexpr double perhaps_flat = .01;
+constexpr double min_share_flat = .3;
+// Between a facet and the surface that it is a part of lie smaller angles than between a scan and a wall.
+constexpr double max_cosine_to_surface = .7;
 
-/** Variances of the nearest along their principal axes, ascending. */
-Eigen::Vector3d
-spreadOf (const Ways& ways)
+/** How the nearest lie about a node. */
+struct Spread
 {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect (covarianceOfNearest (ways), Eigen::EigenvaluesOnly);
-  return solver.eigenvalues ();
-}
+  explicit Spread (const Ways& ways)
+  {
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect (covarianceOfNearest (ways));
+    out_of_plane = solver.eigenvalues ()[0];
+    across = solver.eigenvalues ()[1];
+    along = solver.eigenvalues ()[2];
+    normal = solver.eigenvectors ().col (0);
+  }
 
-/** A first look. */
+  bool
+  isLine (double share) const
+  {
+    return across < share * along;
+  }
+
+  bool
+  isFlat (double share) const
+  {
+    return out_of_plane < share * across;
+  }
+
+  /** Variances, ascending. */
+  double out_of_plane, across, along;
+  Eigen::Vector3d normal;
+};
+
+/** A first look, for clouds with noise. */
 bool
 mayHaveLines (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   if (graph.minRowLength () < nearest_count)
     return false;
-  const std::vector<Ways> sample = quickSample (graph, nodes, execution);
-  const auto lines = std::count_if (sample.begin (), sample.end (), [] (const Ways& ways) {
-    const Eigen::Vector3d spread = spreadOf (ways);
-    return spread[1] < surely_line * spread[2];
-  });
-  return static_cast<double> (lines) > min_share_of_lines * static_cast<double> (sample.size ());
+  std::size_t lines = 0, planes = 0, all = 0;
+  for (const Ways& ways : quickSample (graph, nodes, execution)) {
+    const Spread spread (ways);
+    lines += spread.isLine (surely_line) ? 1 : 0;
+    planes += spread.isFlat (surely_flat) ? 1 : 0;
+    ++all;
+  }
+  const auto isShare = [&] (double share, std::size_t count) {
+    return static_cast<double> (count) > share * static_cast<double> (all);
+  };
+  return isShare (min_share_of_lines, lines) || isShare (min_share_flat, planes);
 }
 
 /** Follows a point from all of the cloud to thinner ones. */
@@ -48,18 +79,18 @@ class LineEnd
 public:
   /** \param[in] spread after so many halvings, one more than at the last call */
   void
-  see (const Eigen::Vector3d& spread, int halvings)
+  see (const Spread& spread, int halvings)
   {
-    if (is_on_line_) {
-      halvings_ = halvings;
-      is_on_line_ = spread[1] < perhaps_line * spread[2];
-    }
-    if (is_on_line_ || is_off_plane_)
+    if (is_decided_)
       return;
-    // Noise as wide as the points are close makes a line look like a surface, but one without noise.
-    is_off_plane_ = spread[0] >= flat * spread[1];
-    if (is_off_plane_)
+    if (is_on_line_) {
+      is_on_line_ = spread.isLine (perhaps_line);
       halvings_ = halvings;
+      if (halvings == 0 && !is_on_line_)
+        beginFlat (spread);
+    }
+    if (!is_on_line_)
+      is_decided_ = leavesPlane (spread, halvings);
   }
 
   float
@@ -69,9 +100,30 @@ public:
   }
 
 private:
+  /** Noise as wide as the points are close makes a line look like a surface, but one without noise. */
+  void
+  beginFlat (const Spread& spread)
+  {
+    is_decided_ = !spread.isFlat (surely_flat);
+    normal_ = spread.normal;
+  }
+
+  /** \return whether it does; so many halvings then show the surface, unless they show the same as before */
+  bool
+  leavesPlane (const Spread& spread, int halvings)
+  {
+    if (spread.isFlat (perhaps_flat))
+      return false;
+    if (std::abs (spread.normal.dot (normal_)) < max_cosine_to_surface)
+      halvings_ = halvings;
+    return true;
+  }
+
   int halvings_ = 0;
   bool is_on_line_ = true;
-  bool is_off_plane_ = false;
+  bool is_decided_ = false;
+  Eigen::Vector3d normal_ =
+      Eigen::Vector3d::Zero (); // of the plane in which a point lies from the start; none of a line
 };
 } // namespace
 
@@ -87,7 +139,7 @@ estimateLines (const NeighborGraph& graph, const Positions& nodes, const Executi
   for (int halvings = 0; halvings < sample.end (); ++halvings) {
     const std::vector<Ways> ways = sample.waysAfter (halvings);
     for (std::size_t s = 0; s < ways.size (); ++s)
-      ends[s].see (spreadOf (ways[s]), halvings);
+      ends[s].see (Spread (ways[s]), halvings);
     if (halvings == 0)
       reach = medianReach (ways);
   }

@@ -45,6 +45,15 @@ hill (double x, double y)
   return 0.3 * std::exp (-8 * ((x - middle) * (x - middle) + (y - middle) * (y - middle)));
 }
 
+/** Alike in patches of 3 x 3 pixels, as noise of the disparity is. */
+double
+patchNoise (double x, double y)
+{
+  const auto place =
+      static_cast<std::uint64_t> (std::lround (x / (3 * spacing)) * 1000 + std::lround (y / (3 * spacing)));
+  return gaussianNoise (7, place);
+}
+
 LayerEstimate
 layersOf (const Searched& cloud, unsigned threads = 2)
 {
@@ -237,11 +246,7 @@ TEST (LayersTest, TheNoiseIsThatOfTheSteps)
 TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
 {
   const double step = 0.02;
-  const auto frayed = [&] (double x, double y) {
-    const auto place =
-        static_cast<std::uint64_t> (std::lround (x / (3 * spacing)) * 1000 + std::lround (y / (3 * spacing)));
-    return tilted (x, y) + 0.5 * step * gaussianNoise (7, place); // alike in patches of 3 x 3 pixels
-  };
+  const auto frayed = [&] (double x, double y) { return tilted (x, y) + 0.5 * step * patchNoise (x, y); };
   const Searched clear (inSteps (tilted, step)), noisy (inSteps (frayed, step));
   ASSERT_TRUE (layersOf (noisy).hasLayers ());
   EXPECT_GT (layersOf (noisy).noise_of_step, layersOf (clear).noise_of_step + 0.1f);
@@ -249,12 +254,8 @@ TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
 
 TEST (LayersTest, LayersOfAWallThatFacesTheCameraAreNoSheets)
 {
-  const double step = 0.045;
-  const auto facing = [&] (double x, double y) {
-    const double noise = std::sin (31 * x) * std::cos (37 * y) + std::sin (53 * y + 1) * std::cos (47 * x);
-    return 0.05 * x + 0.6 * step * noise;
-  };
-  const Searched cloud (inSteps (facing, step));
+  const double step = 0.065;
+  const Searched cloud (inSteps ([&] (double x, double y) { return 0.05 * x + 0.6 * step * patchNoise (x, y); }, step));
   SmoothingOptions options = bridgingOptions (false);
   NeighborGraph::ConstPtr graph = cloud.graph;
   prepareSmoothing (cloud.nodes, {}, Execution (2), graph, options);
