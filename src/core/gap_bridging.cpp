@@ -26,7 +26,7 @@ std::vector<int>
 halvingsOfNodes (const GapEstimate& gaps, const Positions& nodes, const Execution& execution)
 {
   std::vector<int> halvings (nodes.size ());
-  const int most = ThinnedCloud::mostHalvings (nodes.size ());
+  const int most = ThinnedCloud::mostHalvings (nodes.size (), ThinnedCloud::least_size);
   parallelFor (nodes.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node)
       halvings[node] = std::min (most, static_cast<int> (std::lround (gaps.halvings ().valueAt (nodes.base[node], 0))));
@@ -48,9 +48,12 @@ nodesOf (int halvings, const std::vector<int>& of_nodes)
 GapEstimate
 estimateGaps (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  GapEstimate gaps {estimateLayers (graph, nodes, execution), {}};
-  if (!gaps.layers.hasLayers ())
+  GapEstimate gaps;
+  gaps.layers = estimateLayers (graph, nodes, execution);
+  if (!gaps.hasGaps ())
     gaps.lines = estimateLines (graph, nodes, execution);
+  if (!gaps.hasGaps ())
+    gaps.wide_noise = estimateWideNoise (graph, nodes, execution);
   return gaps;
 }
 

@@ -150,7 +150,7 @@ private:
   const ThinnedSample& sample_;
   std::vector<float> halvings_; // until the nearest of a point of the sample are not in a plane
   std::vector<float> steps_;    // to the next layer, 0 where none was seen
-  double share_stepped_ = 0;            // at best, the share of the points off which there is anything, that see a layer
+  double share_stepped_ = 0;    // at best, the share of the points off which there is anything, that see a layer
 };
 } // namespace
 

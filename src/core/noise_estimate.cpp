@@ -162,7 +162,7 @@ estimateNoise (const NoiseSample& sample, const GapEstimate& gaps)
 {
   if (gaps.layers.hasLayers ())
     return noiseInLayers (sample, gaps.layers);
-  return estimateNoise (sample, gaps.hasGaps () ? Between::LINES : Between::NOTHING);
+  return estimateNoise (sample, !gaps.lines.regions.empty () ? Between::LINES : Between::NOTHING);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

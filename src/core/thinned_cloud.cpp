@@ -10,8 +10,6 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t smallest_size = 1000;
-
 /** The nodes by the first \a halvings bits of their hashes; of so many parts. */
 std::vector<Elements>
 membersOf (const Positions& nodes, int halvings, std::size_t part_count)
@@ -51,10 +49,10 @@ ThinnedCloud::ThinnedCloud (const NeighborGraph& graph,
 }
 
 int
-ThinnedCloud::mostHalvings (std::size_t size)
+ThinnedCloud::mostHalvings (std::size_t size, std::size_t left)
 {
   int halvings = 0;
-  while (size >> (halvings + 1) >= smallest_size)
+  while (size >> (halvings + 1) >= left)
     ++halvings;
   return halvings;
 }

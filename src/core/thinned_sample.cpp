@@ -14,6 +14,7 @@ namespace
 constexpr std::size_t quick_sample_size = 512;
 constexpr std::size_t sample_size = 4096;
 constexpr std::uint32_t row_length = 32;
+constexpr std::size_t least_size = 1000; // of the thinnest cloud
 
 Ways
 waysTo (const Positions& nodes, std::uint32_t node, const Row& row)
@@ -39,7 +40,7 @@ ThinnedSample::ThinnedSample (const NeighborGraph& graph, const Positions& nodes
 , nodes_ (nodes)
 , execution_ (execution)
 , nodes_of_sample_ (sampleNodes (nodes, nodes.size (), sample_size, execution))
-, end_ (ThinnedCloud::mostHalvings (nodes.size ()) + 1)
+, end_ (ThinnedCloud::mostHalvings (nodes.size (), least_size) + 1)
 {}
 
 std::vector<Ways>

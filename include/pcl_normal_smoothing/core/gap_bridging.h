@@ -3,6 +3,7 @@
 
 #include <pcl_normal_smoothing/core/layer_estimate.h>
 #include <pcl_normal_smoothing/core/line_estimate.h>
+#include <pcl_normal_smoothing/core/wide_noise.h>
 
 namespace pcl_normal_smoothing
 {
@@ -14,6 +15,8 @@ struct GapEstimate
   LayerEstimate layers;
   /** See estimateLines; where there are layers, none are looked for. */
   RegionalField lines;
+  /** See estimateWideNoise; where there are layers or lines, none is looked for. */
+  RegionalField wide_noise;
 
   bool
   hasGaps () const
@@ -25,7 +28,7 @@ struct GapEstimate
   const RegionalField&
   halvings () const
   {
-    return layers.hasLayers () ? layers.halvings : lines;
+    return layers.hasLayers () ? layers.halvings : lines.regions.empty () ? wide_noise : lines;
   }
 };
 

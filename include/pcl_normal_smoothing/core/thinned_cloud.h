@@ -30,9 +30,12 @@ public:
                 Parts parts,
                 const Execution& execution);
 
-  /** \return so many halvings leave enough to tell the surface: a thousand points; at least 0 */
+  /** \return after so many halvings at least so many points are left; at least 0 */
   static int
-  mostHalvings (std::size_t size);
+  mostHalvings (std::size_t size, std::size_t left);
+
+  /** Fewer do not tell a surface. */
+  static constexpr std::size_t least_size = 300;
 
   /** The row of a node: the node and its nearest in a part.
     * \param[out] row filled up with the node itself */

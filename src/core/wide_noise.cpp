@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/thinned_cloud.h>
+#include <pcl_normal_smoothing/core/wide_noise.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+// Of sigma to the spacing, as they are read. Up to the first, nothing is hidden, and neighbourhoods that have to be wider had better be
+// that wide; up to the second, evenly sampled surfaces are still read and smoothed as they are.
+constexpr double read_surely = .3;
+constexpr double read_if_even = .85;
+// A halving makes the spacing 1.4 times as wide, and the ratio .71 of what it was; where a part of the noise is hidden, more of it shows.
+constexpr double max_fall = .83;
+
+double
+ratioOf (const NoiseSample& sample)
+{
+  const NoiseEstimate noise = estimateNoise (sample);
+  return noise.spacing > 0 ? noise.sigma / noise.spacing : 0;
+}
+
+/** The noise as neighbourhoods in a thinner cloud show it. */
+class ThinnedNoise
+{
+public:
+  ThinnedNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+  : graph_ (graph), nodes_ (nodes), execution_ (execution), sample_ (noiseSampleNodes (nodes, nodes.size ()))
+  {}
+
+  NoiseSample
+  after (int halvings) const
+  {
+    const auto length = static_cast<std::uint32_t> (graph_.minRowLength ());
+    if (halvings == 0 || sample_.empty ())
+      return sampleNoise (graph_, nodes_, sample_, nodes_.size (), execution_);
+    const ThinnedCloud thinned (graph_, nodes_, halvings, ThinnedCloud::Parts::ONE, execution_);
+    std::vector<std::uint32_t> rows (sample_.size () * length);
+    KdTree::Scratch scratch;
+    for (std::size_t s = 0; s < sample_.size (); ++s)
+      thinned.row (sample_[s], rows.data () + s * length, length, scratch);
+    return sampleNoise (*graph_.withRows (sample_, rows, length), nodes_, sample_, nodes_.size (), execution_);
+  }
+
+private:
+  const NeighborGraph& graph_;
+  const Positions& nodes_;
+  const Execution& execution_;
+  std::vector<std::uint32_t> sample_;
+};
+
+/** \return how often the cloud has to be halved, as a whole; 0 where it need not be, or where no surface is seen however often: leaves
+  * and grass stay as they are */
+int
+halvingsOf (const ThinnedNoise& noise, int most)
+{
+  double ratio = ratioOf (noise.after (0));
+  if (!(ratio > read_surely))
+    return 0;
+  for (int halvings = 0; halvings < most; ++halvings) {
+    const double next = ratioOf (noise.after (halvings + 1));
+    if (next < max_fall * ratio && ratio < (halvings == 0 ? read_if_even : read_surely))
+      return halvings;
+    ratio = next;
+  }
+  return ratio < read_surely ? most : 0;
+}
+} // namespace
+
+RegionalField
+estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+{
+  if (graph.minRowLength () < noise_row_length)
+    return {};
+  const Execution silent = execution.silent ();
+  const ThinnedNoise thinned (graph, nodes, silent);
+  const int halvings = halvingsOf (thinned, ThinnedCloud::mostHalvings (nodes.size (), ThinnedCloud::least_size));
+  if (halvings == 0)
+    return {};
+  const NoiseSample sample = thinned.after (halvings);
+  const NoiseEstimate noise = estimateNoise (sample);
+  std::vector<LocalValue> local;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes) {
+    // Where points lie closer, or there is more noise, they have to be halved more often.
+    const double denser = noise.spacing / std::max<double> (residuals.distance * .6267, 1e-3 * noise.spacing);
+    const double of_place = halvings + 2 * std::log2 (denser * noise.field.factorAt (residuals.place));
+    local.push_back ({residuals.place, static_cast<float> (std::max (0.0, of_place))});
+  }
+  return regionalMedians (local, noise.spacing);
+}
+} // namespace core
+} // namespace pcl_normal_smoothing
