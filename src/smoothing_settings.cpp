@@ -87,7 +87,7 @@ SmoothingSettings::options () const
   overwriteLength (options.rounds.noise.spacing, point_spacing_, "the spacing", "setPointSpacing");
   overwriteLength (options.rounds.sheet_distance, sheet_distance_, "the sheet distance", "setSheetDistance");
   options.noise_varies = noise_varies_.value_or (!noise_sigma_);
-  options.bridge_gaps = bridge_gaps_;
+  options.widen_neighborhoods = widen_neighborhoods_;
   options.update.search_interval = search_interval_;
   options.filter.oriented = options.update.oriented = options.rounds.oriented = oriented_;
   options.hough.seed = seed_;

@@ -168,10 +168,11 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
                numberOption (0, limit, [&] (double sigma) { settings.setNoiseSigma (sigma); }));
   options.add ("-noise_varies", "0|1", "1: the noise may differ from place to place, sigma is its median, for rounds",
                "1; 0 with -noise_sigma", switchOption ([&] (bool varies) { settings.setNoiseVaries (varies); }));
-  options.add ("-bridge_gaps", "0|1",
-               "1: neighbourhoods reach across the gaps between the lines of a lidar and the steps of a depth camera, "
-               "for rounds",
-               "1", switchOption ([&] (bool bridge) { settings.setBridgeGaps (bridge); }));
+  options.add (
+      "-widen_neighborhoods", "0|1",
+      "1: neighbourhoods grow where scan lines, steps of coordinates or wide noise hide the surface from them, "
+      "for rounds",
+      "1", switchOption ([&] (bool widen) { settings.setWidenNeighborhoods (widen); }));
   options.add ("-point_spacing", "D", "distance between neighbouring points, in the cloud's unit, for rounds",
                "estimated from the cloud", numberOption (0, limit, [&] (double d) { settings.setPointSpacing (d); }));
   const OptionReader length = numberOption (0, limit, [&] (double d) { settings.setSheetDistance (d); });
@@ -275,7 +276,7 @@ asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const S
   if (method.robust)
     line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " +
             textOf (method.rounds.noise.sigma) + " -noise_varies " + (method.rounds.noise.field.isEven () ? "0" : "1") +
-            " -bridge_gaps " + (method.bridge_gaps ? "1" : "0") + " -point_spacing " +
+            " -widen_neighborhoods " + (method.widen_neighborhoods ? "1" : "0") + " -point_spacing " +
             textOf (method.rounds.noise.spacing) + " -sheet_distance " + lengthOrNone (method.rounds.sheet_distance) +
             optionIfFinite (" -max_displacement ", method.rounds.max_displacement);
   else

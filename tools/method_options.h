@@ -38,7 +38,7 @@ addFilterOptions (Options& options, const Standard& standard, SmoothingSettings&
 void
 addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings& settings);
 
-/** -noise_sigma -noise_varies -bridge_gaps -point_spacing -sheet_distance */
+/** -noise_sigma -noise_varies -widen_neighborhoods -point_spacing -sheet_distance */
 void
 addNoiseOptions (Options& options, SmoothingSettings& settings);
 

@@ -140,17 +140,17 @@ public:
     noise_varies_ = varies;
   }
 
-  /** There may be gaps that neighbourhoods do not reach across: between the lines of a lidar that turns, and between the layers in which
-    * points lie whose coordinates come in steps, as those of depth cameras do. Where the cloud shows that, neighbourhoods grow until
-    * most see more than one, k as it is. No noise could be seen otherwise. For rounds, and with k nearest neighbours, not where a radius
-    * bounds them. Default: true. */
+  /** Neighbourhoods may be too narrow to show the surface, and any noise: where points lie on the lines of a lidar that turns, or in
+    * layers, for their coordinates come in steps, as those of depth cameras do, or where the noise is wider than the points are apart.
+    * Where the cloud shows that, they grow, k as it is. For rounds, and with k nearest neighbours, not where a radius bounds them; wide
+    * noise is looked for from k = 16 on. Default: true. */
   void
-  setBridgeGaps (bool bridge)
+  setWidenNeighborhoods (bool widen)
   {
-    bridge_gaps_ = bridge;
+    widen_neighborhoods_ = widen;
   }
 
-  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; that of neighbours, where gaps are bridged.
+  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; that of neighbours, where neighbourhoods are widened.
     * Default: estimated. */
   void
   setPointSpacing (double spacing)
@@ -216,7 +216,7 @@ private:
   std::optional<double> max_displacement_;
   std::optional<double> noise_sigma_;
   std::optional<bool> noise_varies_;
-  bool bridge_gaps_ = true;
+  bool widen_neighborhoods_ = true;
   std::optional<double> point_spacing_;
   std::optional<double> sheet_distance_;
   int search_interval_ = 0;

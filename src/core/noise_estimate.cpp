@@ -142,11 +142,11 @@ NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   const NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution));
-  const GapEstimate gaps = estimateGaps (graph, nodes, execution);
-  const auto wide = bridgeGaps (graph, nodes, gaps, execution);
+  const Widening widening = estimateWidening (graph, nodes, execution);
+  const auto wide = widenNeighborhoods (graph, nodes, widening, execution);
   if (!wide)
     return noise;
-  NoiseEstimate of_wide = estimateNoise (sampleNoise (*wide, nodes, execution), gaps);
+  NoiseEstimate of_wide = estimateNoise (sampleNoise (*wide, nodes, execution), widening);
   of_wide.spacing = noise.spacing;
   return of_wide;
 }
@@ -158,11 +158,11 @@ estimateNoise (const NoiseSample& sample)
 }
 
 NoiseEstimate
-estimateNoise (const NoiseSample& sample, const GapEstimate& gaps)
+estimateNoise (const NoiseSample& sample, const Widening& widening)
 {
-  if (gaps.layers.hasLayers ())
-    return noiseInLayers (sample, gaps.layers);
-  return estimateNoise (sample, !gaps.lines.regions.empty () ? Between::LINES : Between::NOTHING);
+  if (widening.layers.hasLayers ())
+    return noiseInLayers (sample, widening.layers);
+  return estimateNoise (sample, !widening.lines.regions.empty () ? Between::LINES : Between::NOTHING);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/gap_bridging.h>
+#include <pcl_normal_smoothing/core/neighborhood_widening.h>
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
 
 #include <algorithm>
@@ -110,23 +110,23 @@ public:
   : positions_ (positions), normals_ (normals), execution_ (execution), graph_ (graph), mixed_ (graph)
   {}
 
-  /** \return whether there are gaps */
+  /** \return whether neighbourhoods had to grow */
   bool
-  widenAcrossGaps ()
+  widen ()
   {
-    gaps_ = estimateGaps (*mixed_, positions_, execution_);
-    if (const auto wide = bridgeGaps (*mixed_, positions_, gaps_, execution_))
+    widening_ = estimateWidening (*mixed_, positions_, execution_);
+    if (const auto wide = widenNeighborhoods (*mixed_, positions_, widening_, execution_))
       graph_ = mixed_ = wide;
     else
-      gaps_ = {};
-    return gaps_.hasGaps ();
+      widening_ = {};
+    return widening_.isNeeded ();
   }
 
 protected:
   NoiseEstimate
   mixedNoise () override
   {
-    return estimateNoise (sampleNoise (*graph_, positions_, execution_), gaps_);
+    return estimateNoise (sampleNoise (*graph_, positions_, execution_), widening_);
   }
 
   SheetEstimate
@@ -150,7 +150,7 @@ protected:
   separatedNoise () override
   {
     const std::vector<std::uint32_t> sample = noiseSampleNodes (positions_, positions_.size ());
-    return estimateNoise (sampleNoise (*graph_, positions_, sample, positions_.size (), execution_), gaps_);
+    return estimateNoise (sampleNoise (*graph_, positions_, sample, positions_.size (), execution_), widening_);
   }
 
   void
@@ -164,7 +164,7 @@ private:
   float
   largestStep () const
   {
-    const std::vector<float> steps = gaps_.layers.steps.values ();
+    const std::vector<float> steps = widening_.layers.steps.values ();
     return steps.empty () ? 0 : *std::max_element (steps.begin (), steps.end ());
   }
 
@@ -173,7 +173,7 @@ private:
   const Execution& execution_;
   NeighborGraph::ConstPtr& graph_;
   NeighborGraph::ConstPtr mixed_; // before sheets were separated
-  GapEstimate gaps_;              // that are bridged
+  Widening widening_;             // of mixed_
 };
 } // namespace
 
@@ -222,7 +222,7 @@ prepareSmoothing (const Positions& positions,
                   SmoothingOptions& options)
 {
   WholeCloud cloud (positions, normals, execution, graph);
-  options.bridge_gaps = options.robust && options.bridge_gaps && cloud.widenAcrossGaps ();
+  options.widen_neighborhoods = options.robust && options.widen_neighborhoods && cloud.widen ();
   cloud.complete (options);
 }
 } // namespace core

@@ -2,7 +2,7 @@
 #include "searched.h"
 #include "smoothed.h"
 
-#include <pcl_normal_smoothing/core/gap_bridging.h>
+#include <pcl_normal_smoothing/core/neighborhood_widening.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -126,10 +126,10 @@ meanError (const Vectors& points, const Surface& surface)
 }
 
 SmoothingOptions
-bridgingOptions (bool fast)
+wideningOptions (bool fast)
 {
   SmoothingOptions options = robustOptions (fast);
-  options.noise_varies = options.bridge_gaps = true;
+  options.noise_varies = options.widen_neighborhoods = true;
   return options;
 }
 
@@ -184,10 +184,10 @@ TEST (LayersTest, GrowWhereTheStepsAreWide)
   EXPECT_GT (halvings.valueAt ({0.05f, 0.4f, 0}, 0), halvings.valueAt ({0.85f, 0.4f, 0.3f}, 0) + 1);
 }
 
-TEST (LayersTest, BridgedRowsBeginWithTheNodeAndHoldSeveralLayers)
+TEST (LayersTest, WideRowsBeginWithTheNodeAndHoldSeveralLayers)
 {
   const Searched cloud (inSteps (tilted, 0.04));
-  const auto wide = bridgeGaps (*cloud.graph, cloud.nodes, {layersOf (cloud), {}, {}}, Execution (2));
+  const auto wide = widenNeighborhoods (*cloud.graph, cloud.nodes, {layersOf (cloud), {}, {}}, Execution (2));
   ASSERT_TRUE (wide);
   std::size_t in_one = 0, in_one_before = 0;
   for (std::uint32_t node = 0; node < wide->size (); ++node) {
@@ -208,7 +208,7 @@ TEST (LayersTest, RowsWithinARadiusStay)
   const Vectors points = inSteps (tilted, 0.02);
   const LayerEstimate layers = layersOf (Searched (points));
   const Searched cloud (points, {0, 3.5f * spacing});
-  EXPECT_FALSE (bridgeGaps (*cloud.graph, cloud.nodes, {layers, {}, {}}, Execution (2)));
+  EXPECT_FALSE (widenNeighborhoods (*cloud.graph, cloud.nodes, {layers, {}, {}}, Execution (2)));
 }
 
 TEST (LayersTest, ThreadsDoNotMatter)
@@ -256,21 +256,21 @@ TEST (LayersTest, LayersOfAWallThatFacesTheCameraAreNoSheets)
 {
   const double step = 0.065;
   const Searched cloud (inSteps ([&] (double x, double y) { return 0.05 * x + 0.6 * step * patchNoise (x, y); }, step));
-  SmoothingOptions options = bridgingOptions (false);
+  SmoothingOptions options = wideningOptions (false);
   NeighborGraph::ConstPtr graph = cloud.graph;
   prepareSmoothing (cloud.nodes, {}, Execution (2), graph, options);
-  ASSERT_TRUE (options.bridge_gaps);
+  ASSERT_TRUE (options.widen_neighborhoods);
   EXPECT_GT (options.rounds.sheet_distance, step);
 }
 
 TEST (LayersTest, FewNeighboursAreEnough)
 {
   const Vectors points = inSteps (tilted, 0.02);
-  SmoothingOptions options = bridgingOptions (false);
+  SmoothingOptions options = wideningOptions (false);
   const Searched cloud (points, {8});
   NeighborGraph::ConstPtr graph = cloud.graph;
   prepareSmoothing (cloud.nodes, {}, Execution (2), graph, options);
-  EXPECT_TRUE (options.bridge_gaps);
+  EXPECT_TRUE (options.widen_neighborhoods);
   EXPECT_GT (options.rounds.noise.sigma, 0.005f);
   EXPECT_LT (options.rounds.noise.field.largestFactor (), 1.5f);
 }
@@ -284,11 +284,11 @@ TEST_P (LayersPresets, WideStepsAreSmoothed)
     for (const Surface& surface : {Surface (tilted), Surface (hill)}) {
       const Vectors points = inSteps (surface, step);
       const std::uint32_t k = GetParam () ? 16 : 32;
-      SmoothingOptions options = bridgingOptions (GetParam ());
+      SmoothingOptions options = wideningOptions (GetParam ());
       const double before = meanError (points, surface);
-      const Vectors bridged = sum (points, smoothed (asPositions (points), k, options).displacements);
-      EXPECT_LT (meanError (bridged, surface), 0.6 * before) << step;
-      options.bridge_gaps = false;
+      const Vectors widened = sum (points, smoothed (asPositions (points), k, options).displacements);
+      EXPECT_LT (meanError (widened, surface), 0.6 * before) << step;
+      options.widen_neighborhoods = false;
       const Vectors stuck = sum (points, smoothed (asPositions (points), k, options).displacements);
       EXPECT_GT (meanError (stuck, surface), 0.9 * before) << step << ": the test is of no use";
     }

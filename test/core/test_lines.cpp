@@ -3,7 +3,7 @@
 #include "searched.h"
 #include "smoothed.h"
 
-#include <pcl_normal_smoothing/core/gap_bridging.h>
+#include <pcl_normal_smoothing/core/neighborhood_widening.h>
 
 #include <gtest/gtest.h>
 
@@ -86,12 +86,12 @@ TEST (LinesTest, ThreadsAndOrderDoNotMatter)
   EXPECT_GT (expected.size (), 4u);
 }
 
-TEST (LinesTest, BridgedRowsHoldSeveralLinesAndAllPoints)
+TEST (LinesTest, WideRowsHoldSeveralLinesAndAllPoints)
 {
   const Searched cloud (lidar (0.01));
-  const GapEstimate gaps = estimateGaps (*cloud.graph, cloud.nodes, Execution (2));
-  EXPECT_FALSE (gaps.layers.hasLayers ());
-  const auto wide = bridgeGaps (*cloud.graph, cloud.nodes, gaps, Execution (2));
+  const Widening widening = estimateWidening (*cloud.graph, cloud.nodes, Execution (2));
+  EXPECT_FALSE (widening.layers.hasLayers ());
+  const auto wide = widenNeighborhoods (*cloud.graph, cloud.nodes, widening, Execution (2));
   ASSERT_TRUE (wide);
   const auto lineOf = [&] (std::uint32_t node) {
     const Eigen::Vector3f& p = cloud.nodes.base[node];
@@ -127,17 +127,17 @@ TEST (LinesTest, TheNoiseIsThatAcrossTheLines)
 }
 
 SmoothingOptions
-bridgingOptions (bool fast)
+wideningOptions (bool fast)
 {
   SmoothingOptions options = robustOptions (fast);
-  options.noise_varies = options.bridge_gaps = true;
+  options.noise_varies = options.widen_neighborhoods = true;
   return options;
 }
 
 TEST (LinesTest, WithoutNoiseNothingMoves)
 {
   const Vectors points = lidar (0);
-  for (const Eigen::Vector3f& displacement : smoothed (asPositions (points), 32, bridgingOptions (false)).displacements)
+  for (const Eigen::Vector3f& displacement : smoothed (asPositions (points), 32, wideningOptions (false)).displacements)
     ASSERT_LT (displacement.norm (), 0.002);
 }
 
@@ -149,11 +149,11 @@ TEST_P (LinesPresets, LinesAreSmoothedAcross)
   const std::uint32_t k = GetParam () ? 16 : 32;
   for (const double noise : {0.01, 0.02, 0.08}) {
     const Vectors points = lidar (noise);
-    SmoothingOptions options = bridgingOptions (GetParam ());
+    SmoothingOptions options = wideningOptions (GetParam ());
     const double before = ScannedRoom::error (points);
-    const Vectors bridged = sum (points, smoothed (asPositions (points), k, options).displacements);
-    EXPECT_LT (ScannedRoom::error (bridged), 0.6 * before) << noise;
-    options.bridge_gaps = false;
+    const Vectors widened = sum (points, smoothed (asPositions (points), k, options).displacements);
+    EXPECT_LT (ScannedRoom::error (widened), 0.6 * before) << noise;
+    options.widen_neighborhoods = false;
     const Vectors stuck = sum (points, smoothed (asPositions (points), k, options).displacements);
     EXPECT_GT (ScannedRoom::error (stuck), 0.9 * before) << noise << ": the test is of no use";
   }

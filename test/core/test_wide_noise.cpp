@@ -2,7 +2,7 @@
 #include "searched.h"
 #include "smoothed.h"
 
-#include <pcl_normal_smoothing/core/gap_bridging.h>
+#include <pcl_normal_smoothing/core/neighborhood_widening.h>
 
 #include <gtest/gtest.h>
 
@@ -97,11 +97,11 @@ TEST_P (WideNoisePresets, ItIsSmoothed)
   for (const double noise : {0.5, 1.0}) {
     const Vectors points = square (noise);
     SmoothingOptions options = robustOptions (GetParam ());
-    options.noise_varies = options.bridge_gaps = true;
+    options.noise_varies = options.widen_neighborhoods = true;
     const std::uint32_t k = GetParam () ? 16 : 32;
     EXPECT_LT (error (sum (points, smoothed (asPositions (points), k, options).displacements)), 0.3 * error (points))
         << noise;
-    options.bridge_gaps = false;
+    options.widen_neighborhoods = false;
     EXPECT_GT (error (sum (points, smoothed (asPositions (points), k, options).displacements)), 0.4 * error (points))
         << noise << ": the test is of no use";
   }

@@ -113,7 +113,7 @@ TEST_F (SmoothingTool, PrintedParametersSayThatLayersAreBridged)
 {
   saveHeights (
       [] (float x, float y) { return 0.04f * std::round (10 * x + 2 * y); }); // steps of two spacings, five wide
-  expectSaid ("-bridge_gaps");
+  expectSaid ("-widen_neighborhoods");
 }
 
 TEST_F (SmoothingTool, ThreadsDoNotMatter)

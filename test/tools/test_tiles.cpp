@@ -61,10 +61,10 @@ TEST_F (Tiles, LayersAreNotBridgedAndThatIsSaid)
   for (int i = 0; i < 2500; ++i)
     layers.push_back (Eigen::Vector3d (i % 50, i / 50, 5 * std::round (0.1 * (i % 50) + 0.02 * (i / 50))) / 16);
   saveCloud (layers, "cloud.pcd");
-  expectSame ("cloud.pcd", "-max_points 700", "-bridge_gaps 0 -noise_sigma 0.1");
+  expectSame ("cloud.pcd", "-max_points 700", "-widen_neighborhoods 0 -noise_sigma 0.1");
   const auto plan = succeed ("pcl_normal_smoothing_tiles plan tiles.d cloud.pcd -max_points 700");
-  EXPECT_NE (plan.err.find ("reaches across the gaps"), std::string::npos) << plan.err;
-  EXPECT_NE (plan.out.find ("-bridge_gaps 0"), std::string::npos) << plan.out;
+  EXPECT_NE (plan.err.find ("might widen them"), std::string::npos) << plan.err;
+  EXPECT_NE (plan.out.find ("-widen_neighborhoods 0"), std::string::npos) << plan.out;
 }
 
 TEST_F (Tiles, CloseSheetsAreSeparatedAlike)

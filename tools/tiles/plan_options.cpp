@@ -107,7 +107,7 @@ forEachOption (Options& options, Use& use)
   use ("rounds_noise_spacing", options.rounds.noise.spacing);
   use ("rounds_noise_field", options.rounds.noise.field.factors.regions);
   use ("noise_varies", options.noise_varies);
-  use ("bridge_gaps", options.bridge_gaps);
+  use ("widen_neighborhoods", options.widen_neighborhoods);
   use ("rounds", options.rounds.rounds);
   use ("rounds_fast", options.rounds.fast);
   use ("rounds_oriented", options.rounds.oriented);

@@ -23,7 +23,7 @@ public:
   , depth_ (depth)
   , execution_ (execution)
   , seen_ (neighborhoods.searched.size ())
-  , gaps_ (neighborhoods.plan.cells.size (), -1)
+  , widening_ (neighborhoods.plan.cells.size (), -1)
   {}
 
   std::vector<Doubt>
@@ -86,11 +86,11 @@ private:
   findGaps ()
   {
     core::parallelFor (
-        gaps_.size (), execution_.silent (),
+        widening_.size (), execution_.silent (),
         [&] (std::size_t begin, std::size_t end) {
           for (auto cell = static_cast<std::uint32_t> (begin); cell < end; ++cell)
             if (all_.cells.isLoaded (cell))
-              gaps_[cell] = all_.cells.distanceFrom (all_.plan.cells[cell].box);
+              widening_[cell] = all_.cells.distanceFrom (all_.plan.cells[cell].box);
         },
         256);
   }
@@ -99,7 +99,7 @@ private:
   isCertain (std::uint32_t node) const
   {
     const double radius = all_.rowRadius (node);
-    return radius < gaps_[all_.cellOf (node)] || !all_.cells.isNear (all_.placeOf (node), radius);
+    return radius < widening_[all_.cellOf (node)] || !all_.cells.isNear (all_.placeOf (node), radius);
   }
 
   enum Seen : std::uint8_t
@@ -113,7 +113,7 @@ private:
   const core::Execution& execution_;
   std::mutex mutex_; // of what all threads add to
   std::vector<std::atomic<std::uint8_t>> seen_;
-  std::vector<double> gaps_;
+  std::vector<double> widening_;
   std::vector<std::uint32_t> nodes_;
   std::vector<Doubt> doubts_;
 };

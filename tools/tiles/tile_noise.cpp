@@ -19,6 +19,7 @@ namespace tools
 namespace
 {
 constexpr double share_of_planes = .1;
+constexpr float ratio_of_wide_noise = .36f; // of sigma to the spacing, as in core/wide_noise.cpp
 
 /** A cloud that is seen in tiles. */
 class TiledCloud : public core::SmoothingPreparation
@@ -29,11 +30,11 @@ public:
   : plan_ (plan), sample_ (sample), execution_ (execution)
   {}
 
-  /** Points often lie in planes exactly: on scan lines, or coordinates come in steps. Known after complete. */
+  /** Points often lie in planes exactly, or the noise is wide. Known after complete. */
   bool
-  mayHaveGaps () const
+  mayNeedWidening () const
   {
-    return may_have_gaps_;
+    return may_need_widening_;
   }
 
 protected:
@@ -43,7 +44,8 @@ protected:
     core::NoiseSample sample = sampleOf (core::NeighborQuery {core::noise_row_length}, {0, -1});
     const core::NoiseEstimate noise = core::estimateNoise (sample);
     const auto all = static_cast<double> (sample.of_nodes.size ());
-    may_have_gaps_ = static_cast<double> (sample.dropPlanes ()) > share_of_planes * all;
+    may_need_widening_ = noise.sigma > ratio_of_wide_noise * noise.spacing ||
+                         static_cast<double> (sample.dropPlanes ()) > share_of_planes * all;
     return noise;
   }
 
@@ -125,7 +127,7 @@ private:
   const std::vector<SamplePoint>& sample_;
   const core::Execution& execution_;
   int separation_depth_ = -1;
-  bool may_have_gaps_ = false;
+  bool may_need_widening_ = false;
 };
 } // namespace
 
@@ -134,14 +136,14 @@ prepare (Plan& plan, const std::vector<SamplePoint>& sample, const core::Executi
 {
   TiledCloud cloud (plan, sample, execution);
   cloud.complete (plan.options);
-  // To reach across gaps neighbourhoods may grow until a tile needs all of its cloud.
-  const bool bridges = std::exchange (plan.options.bridge_gaps, false) && plan.options.robust;
-  if (bridges && cloud.mayHaveGaps ())
-    note ("many points lie in planes with those around them, exactly: if that is because they lie on the lines of a "
-          "lidar, or their "
-          "coordinates come in steps, as a depth camera's do, use pcl_normal_smoothing, which reaches across the gaps; "
-          "the tiles will be "
-          "as its -bridge_gaps 0");
+  // Wider neighbourhoods might need all of the cloud for one tile.
+  const bool widens = std::exchange (plan.options.widen_neighborhoods, false) && plan.options.robust;
+  if (widens && cloud.mayNeedWidening ())
+    note ("neighbourhoods may be too narrow to show the surface, for many points lie in planes with those around them, "
+          "exactly (on "
+          "the lines of a lidar, or in the steps of a depth camera), or the noise is wide: pcl_normal_smoothing might "
+          "widen them; "
+          "the tiles will be as with its -widen_neighborhoods 0");
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -57,7 +57,7 @@ TilesCommand::addOptions (Options& options)
   options.describe (
       std::string (
           "Smooths clouds of any size in tiles: gives, to the bit, what pcl_normal_smoothing would give for all of "
-          "it\nwith -bridge_gaps 0: tiles do not reach across gaps between scan lines\nor steps of coordinates.\n"
+          "it\nwith -widen_neighborhoods 0: neighbourhoods stay as they are.\n"
           "plan parts the points of some files in tiles, run smooths them, one, some or all, on any number of machines "
           "that\nsee the folder, merge puts the files together again; list tells which tiles are still to be run. "
           "Every "

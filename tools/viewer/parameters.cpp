@@ -67,7 +67,7 @@ ViewerParameters::ViewerParameters (const Given& given, const Options& known)
 : given_ (given), options_ (given), before_ (given)
 {
   for (const std::string option :
-       {"-preset", "-normals", "-weights", "-mixed", "-update", "-noise_varies", "-bridge_gaps"}) {
+       {"-preset", "-normals", "-weights", "-mixed", "-update", "-noise_varies", "-widen_neighborhoods"}) {
     std::istringstream words (known.valueOf (option));
     for (std::string word; std::getline (words, word, '|');)
       words_[option].push_back (word);

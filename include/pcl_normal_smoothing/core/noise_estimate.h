@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/gap_bridging.h>
+#include <pcl_normal_smoothing/core/neighborhood_widening.h>
 #include <pcl_normal_smoothing/core/noise_field.h>
 #include <pcl_normal_smoothing/core/noise_sample.h>
 
@@ -30,7 +30,7 @@ struct NoiseEstimate
 /** Estimates the noise from what quadrics through small neighbourhoods leave, and extrapolates from two sizes of
   * neighbourhood what curvature adds to it. Uses a sample of about 4,096 points that is chosen by a hash of the coordinates,
   * and quantiles, which do not depend on an order: the same cloud gives the same bits in any order. Where points lie in layers or on
-  * lines the neighbourhoods are widened first (core/gap_bridging.h).
+  * lines the neighbourhoods are widened first (core/neighborhood_widening.h).
   * \param[in] graph where a row has fewer than 16 points, the neighbours are searched again
   * \return sigma 0 where neighbourhoods have fewer than 8 points or no extent */
 NoiseEstimate
@@ -40,9 +40,9 @@ estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Executi
 NoiseEstimate
 estimateNoise (const NoiseSample& sample);
 
-/** The same where neighbourhoods see past gaps. In layers: at least what steps of their size make of a surface, and it varies as the
+/** The same where neighbourhoods were widened. In layers: at least what steps of their size make of a surface, and it varies as the
   * steps do. On lines: by neighbourhoods of twelve and sixteen points, for eight may still lie on one. */
 NoiseEstimate
-estimateNoise (const NoiseSample& sample, const GapEstimate& gaps);
+estimateNoise (const NoiseSample& sample, const Widening& widening);
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -24,8 +24,8 @@ struct SmoothingOptions
   RobustSmoothingOptions rounds;
   /** rounds.noise.field is to be estimated too. */
   bool noise_varies = false;
-  /** Neighbourhoods are to reach across gaps between lines or layers, where there are some (core/gap_bridging.h). */
-  bool bridge_gaps = false;
+  /** Neighbourhoods are to grow where they are too narrow to show the surface (core/neighborhood_widening.h). */
+  bool widen_neighborhoods = false;
 
   /** The same options for positions in another unit: see Positions::unit. What is to be estimated stays so. */
   SmoothingOptions

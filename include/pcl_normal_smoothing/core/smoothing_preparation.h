@@ -13,7 +13,7 @@ namespace core
   * another sheet, the noise of the cloud, and what follows from it. Nothing changes for the paper's chain.
   * \param[in] normals read only for NormalSource::INPUT
   * \param[in,out] graph on return with wide neighbourhoods in layers, and without neighbours on other sheets
-  * \param[in,out] options that pass check; on return without anything to estimate, and bridging layers where there are some; given again,
+  * \param[in,out] options that pass check; on return without anything to estimate, and widening neighbourhoods where these had to be; given again,
   * they give the same graph */
 void
 prepareSmoothing (const Positions& positions,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/gap_bridging.h>
+#include <pcl_normal_smoothing/core/neighborhood_widening.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 
 #include <algorithm>
@@ -23,13 +23,14 @@ haveOneLength (const NeighborGraph& graph)
 }
 
 std::vector<int>
-halvingsOfNodes (const GapEstimate& gaps, const Positions& nodes, const Execution& execution)
+halvingsOfNodes (const Widening& widening, const Positions& nodes, const Execution& execution)
 {
   std::vector<int> halvings (nodes.size ());
   const int most = ThinnedCloud::mostHalvings (nodes.size (), ThinnedCloud::least_size);
   parallelFor (nodes.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node)
-      halvings[node] = std::min (most, static_cast<int> (std::lround (gaps.halvings ().valueAt (nodes.base[node], 0))));
+      halvings[node] =
+          std::min (most, static_cast<int> (std::lround (widening.halvings ().valueAt (nodes.base[node], 0))));
   });
   return halvings;
 }
@@ -45,25 +46,28 @@ nodesOf (int halvings, const std::vector<int>& of_nodes)
 }
 } // namespace
 
-GapEstimate
-estimateGaps (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+Widening
+estimateWidening (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  GapEstimate gaps;
-  gaps.layers = estimateLayers (graph, nodes, execution);
-  if (!gaps.hasGaps ())
-    gaps.lines = estimateLines (graph, nodes, execution);
-  if (!gaps.hasGaps ())
-    gaps.wide_noise = estimateWideNoise (graph, nodes, execution);
-  return gaps;
+  Widening widening;
+  widening.layers = estimateLayers (graph, nodes, execution);
+  if (!widening.isNeeded ())
+    widening.lines = estimateLines (graph, nodes, execution);
+  if (!widening.isNeeded ())
+    widening.wide_noise = estimateWideNoise (graph, nodes, execution);
+  return widening;
 }
 
 NeighborGraph::Ptr
-bridgeGaps (const NeighborGraph& graph, const Positions& nodes, const GapEstimate& gaps, const Execution& execution)
+widenNeighborhoods (const NeighborGraph& graph,
+                    const Positions& nodes,
+                    const Widening& widening,
+                    const Execution& execution)
 {
-  if (!gaps.hasGaps () || !haveOneLength (graph))
+  if (!widening.isNeeded () || !haveOneLength (graph))
     return {};
   const Execution silent = execution.silent ();
-  const std::vector<int> halvings = halvingsOfNodes (gaps, nodes, silent);
+  const std::vector<int> halvings = halvingsOfNodes (widening, nodes, silent);
   const auto length = static_cast<std::uint32_t> (graph.minRowLength ());
   auto wide = std::make_shared<NeighborGraph> (graph);
   const int most = *std::max_element (halvings.begin (), halvings.end ());

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/layer_estimate.h>
+#include <pcl_normal_smoothing/core/line_estimate.h>
+#include <pcl_normal_smoothing/core/wide_noise.h>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** Why neighbourhoods as they are searched do not show the surface, and how much wider they have to be: points lie in layers, on lines, or
+  * the noise is wider than they are apart. */
+struct Widening
+{
+  LayerEstimate layers;
+  /** See estimateLines; where there are layers, none are looked for. */
+  RegionalField lines;
+  /** See estimateWideNoise; where there are layers or lines, none is looked for. */
+  RegionalField wide_noise;
+
+  bool
+  isNeeded () const
+  {
+    return !halvings ().regions.empty ();
+  }
+
+  /** How often the number of points must be halved until neighbourhoods in what is left show the surface. */
+  const RegionalField&
+  halvings () const
+  {
+    return layers.hasLayers () ? layers.halvings : lines.regions.empty () ? wide_noise : lines;
+  }
+};
+
+/** Looks at a sample of about 4,096 points.
+  * \param[in] graph as for estimateLayers, estimateLines and estimateWideNoise */
+Widening
+estimateWidening (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
+
+/** Gives every node as many neighbours as it has, but farther away.
+  * \return null where rows stay as they are: they show the surface, or they differ in length, for whoever bounds neighbourhoods
+  * by a radius means it */
+NeighborGraph::Ptr
+widenNeighborhoods (const NeighborGraph& graph,
+                    const Positions& nodes,
+                    const Widening& widening,
+                    const Execution& execution);
+} // namespace core
+} // namespace pcl_normal_smoothing
