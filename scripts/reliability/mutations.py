@@ -130,7 +130,7 @@ MUTATIONS = [
      "between == Between::LINES ? sigmaAcrossLines (variances) : ", ""),
     ("wide noise: it is not seen", CORE + "wide_noise.cpp", "if (!(ratio > read_surely))", "if (true)"),
     ("wide noise: leaves are a surface", CORE + "wide_noise.cpp", "return ratio < read_surely ? most : 0;", "return most;"),
-    ("noise along rays: slant is not seen", CORE + "residual_quantiles.cpp", "return std::clamp ((.885", "return 0 * std::clamp ((.885"),
+    ("noise along rays: slant is not seen", CORE + "residual_quantiles.cpp", "return below (between (lower, upper, of_12)", "return 0 * below (between (lower, upper, of_12)"),
     ("noise: far from the origin the sample is of a few places", CORE + "noise_sample.cpp", "mix (nodes.offset[node], hash);", ";"),
     ("noise that varies: one sigma for all", CORE + "noise_field.cpp", "!(trust > 0) ||", "true ||"),
     ("noise that varies: the fits do not know", KERNELS + "quadric_fit.h", "step.residual_factor / variance_factor *",

@@ -18,8 +18,9 @@ struct Quantile
   std::array<double, 3> of_chi_square;
 };
 
-constexpr Quantile lower = {.25, {.2877, .5758, .6737}}, median = {.5, {.6931, .891, .934}},
-                   upper = {.75, {1.3863, 1.3068, 1.2549}}, highest = {.9, {2.3026, 1.7741, 1.5987}};
+constexpr Quantile lowest = {.1, {.1054, .3674, .4865}}, lower = {.25, {.2877, .5758, .6737}},
+                   median = {.5, {.6931, .891, .934}}, upper = {.75, {1.3863, 1.3068, 1.2549}},
+                   highest = {.9, {2.3026, 1.7741, 1.5987}};
 /** Places of the sizes of neighbourhoods. */
 constexpr std::size_t of_8 = 0, of_12 = 1, of_16 = 2;
 
@@ -59,11 +60,11 @@ leastSigma (const ResidualVariances& variances)
 {
   const double lower_8 = varianceBy (lower, variances, smallestToTrust (variances)),
                lower_12 = varianceBy (lower, variances, of_12);
-  const double low = extrapolated (lower_8, lower_12, .3, 2.5), lowest = extrapolated (lower_8, lower_12, .9, 2.5);
+  const double low = extrapolated (lower_8, lower_12, .3, 2.5), least = extrapolated (lower_8, lower_12, .9, 2.5);
   const double middle =
       extrapolated (varianceBy (median, variances, of_8), varianceBy (median, variances, of_12), .3, 2.5);
   const double high = extrapolated (varianceBy (upper, variances, of_8), varianceBy (upper, variances, of_16), .4, 3);
-  return std::sqrt (std::min ({1.1 * low, 1.05 * middle, std::max (high, .75 * lowest)}));
+  return std::sqrt (std::min ({1.1 * low, 1.05 * middle, std::max (high, .75 * least)}));
 }
 
 /** Of surfaces that face the rays, on the large side: slanting ones are no worse for it. Outliers do not reach the median. */
@@ -87,10 +88,15 @@ smallestToTrust (const ResidualVariances& variances)
 double
 certaintyOfSlant (const ResidualVariances& variances)
 {
-  const double of_quantiles =
-      ratioOfSigmas (varianceBy (lower, variances, of_12), varianceBy (upper, variances, of_12));
+  const auto between = [&] (const Quantile& a, const Quantile& b, std::size_t size) {
+    return ratioOfSigmas (varianceBy (a, variances, size), varianceBy (b, variances, size));
+  };
+  const auto below = [] (double ratio, double most, double width) {
+    return std::clamp ((most - ratio) / width, 0.0, 1.0);
+  };
   const double of_sizes = ratioOfSigmas (varianceBy (highest, variances, of_16), varianceBy (highest, variances, of_8));
-  return std::clamp ((.885 - of_quantiles) / .05, 0.0, 1.0) * std::clamp ((1.22 - of_sizes) / .08, 0.0, 1.0);
+  return below (between (lower, upper, of_12), .92, .05) * below (between (lowest, lower, of_8), .96, .08) *
+         below (of_sizes, 1.22, .08);
 }
 
 double
