@@ -24,6 +24,9 @@ smoothingFor (const NormalSmoothingConfig& config)
     smoothing.setPointIterations (config.point_iterations);
   if (config.noise_sigma >= 0)
     smoothing.setNoiseSigma (config.noise_sigma);
+  if (config.noise_varies >= 0)
+    smoothing.setNoiseVaries (config.noise_varies == 1);
+  smoothing.setWidenNeighborhoods (config.widen_neighborhoods);
   if (config.point_spacing >= 0)
     smoothing.setPointSpacing (config.point_spacing);
   if (config.sheet_distance >= 0)
