@@ -129,6 +129,7 @@ MUTATIONS = [
     ("lines: the noise is that within lines", CORE + "noise_estimate.cpp",
      "between == Between::LINES ? sigmaAcrossLines (variances) : ", ""),
     ("wide noise: it is not seen", CORE + "wide_noise.cpp", "if (!(ratio > read_surely))", "if (true)"),
+    ("wide noise: close sheets are some", CORE + "wide_noise.cpp", "if (halvings == 0 || showsSheets", "if (halvings == 0 || false && showsSheets"),
     ("wide noise: leaves are a surface", CORE + "wide_noise.cpp", "return ratio < read_surely ? most : 0;", "return most;"),
     ("noise along rays: slant is not seen", CORE + "residual_quantiles.cpp", "return below (between (lower, upper, of_12)", "return 0 * below (between (lower, upper, of_12)"),
     ("noise: far from the origin the sample is of a few places", CORE + "noise_sample.cpp", "mix (nodes.offset[node], hash);", ";"),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/sheet_estimate.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 #include <pcl_normal_smoothing/core/wide_noise.h>
 
@@ -18,6 +19,7 @@ constexpr double read_surely = .3;
 constexpr double read_if_even = .85;
 // A halving makes the spacing 1.4 times as wide, and the ratio .71 of what it was; where a part of the noise is hidden, more of it shows.
 constexpr double max_fall = .83;
+constexpr double spacing_of_reach = .6267; // of the eighth point, as in the estimate of the noise: sqrt (pi / 8)
 
 double
 ratioOf (const NoiseSample& sample)
@@ -71,6 +73,12 @@ halvingsOf (const ThinnedNoise& noise, int most)
   }
   return ratio < read_surely ? most : 0;
 }
+/** Close sheets look like wide noise. */
+bool
+showsSheets (const NeighborGraph& graph, const Positions& nodes, const NoiseEstimate& noise, const Execution& execution)
+{
+  return estimateSheets (graph, nodes, std::min (4 * noise.sigma, 1.2f * noise.spacing), execution).gap > 0;
+}
 } // namespace
 
 RegionalField
@@ -81,14 +89,15 @@ estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Exe
   const Execution silent = execution.silent ();
   const ThinnedNoise thinned (graph, nodes, silent);
   const int halvings = halvingsOf (thinned, ThinnedCloud::mostHalvings (nodes.size (), ThinnedCloud::least_size));
-  if (halvings == 0)
+  if (halvings == 0 || showsSheets (graph, nodes, estimateNoise (thinned.after (0)), silent))
     return {};
   const NoiseSample sample = thinned.after (halvings);
   const NoiseEstimate noise = estimateNoise (sample);
   std::vector<LocalValue> local;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes) {
     // Where points lie closer, or there is more noise, they have to be halved more often.
-    const double denser = noise.spacing / std::max<double> (residuals.distance * .6267, 1e-3 * noise.spacing);
+    const double denser =
+        noise.spacing / std::max<double> (spacing_of_reach * residuals.distance, 1e-3 * noise.spacing);
     const double of_place = halvings + 2 * std::log2 (denser * noise.field.factorAt (residuals.place));
     local.push_back ({residuals.place, static_cast<float> (std::max (0.0, of_place))});
   }

@@ -53,6 +53,12 @@ TEST (WideNoiseTest, OtherCloudsAreAsTheyAre)
     EXPECT_TRUE (wideNoiseOf (withNoise (sphere (8000, 1).points, noise * 0.04, 1)).regions.empty ()) << noise;
 }
 
+TEST (WideNoiseTest, CloseSheetsAreNone)
+{
+  for (const float gap : {0.009f, 0.01f, 0.012f})
+    EXPECT_TRUE (wideNoiseOf (withNoise (parallelSheets (80, 0.01f, gap).points, 0.001, 1)).regions.empty ()) << gap;
+}
+
 TEST (WideNoiseTest, WhatIsNoSurfaceStays)
 {
   Vectors leaves;
