@@ -2,13 +2,14 @@
 //
 // usage: soak [clouds]      default 1000
 // Smooths one cloud after another in one process, good ones and bad, and looks at its memory: after the first tenth it
-// must not grow by more than 5 %. Exit status 1 where it does.
+// must not grow by more than 3 %. Exit status 1 where it does.
 #include "shapes.h"
 
 #include <pcl_normal_smoothing/normal_smoothing.h>
 
 #include <pcl/console/print.h>
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,9 +25,11 @@ using Cloud = pcl::PointCloud<pcl::PointNormal>;
 
 constexpr int cycle = 60; // once through all sizes and presets
 
+/** Without what the heap could give back and keeps: how much that is depends on which thread came first. */
 double
 residentMegabytes ()
 {
+  malloc_trim (0);
   std::size_t pages = 0, resident = 0;
   std::ifstream ("/proc/self/statm") >> pages >> resident;
   return static_cast<double> (resident) * static_cast<double> (sysconf (_SC_PAGESIZE)) / 1e6;
@@ -83,5 +86,5 @@ main (int argc, char** argv)
   const double last = *std::max_element (memory.end () - std::min (count, cycle), memory.end ());
   std::printf ("%d clouds: at most %.1f MB in %d of them after the first tenth, %.1f MB in the last (%+.1f %%)\n",
                count, first, cycle, last, 100 * (last / first - 1));
-  return last > 1.05 * first ? 1 : 0;
+  return last > 1.03 * first ? 1 : 0;
 }
