@@ -13,7 +13,7 @@ struct Smoothed
   Vectors normals;
 };
 
-/** The presets default and fast: rounds, what they need to be estimated, with even noise and no layers. */
+/** The presets default and fast: rounds, what they need to be estimated, with even noise and neighbourhoods as they are. */
 inline pcl_normal_smoothing::core::SmoothingOptions
 robustOptions (bool fast)
 {
@@ -24,6 +24,15 @@ robustOptions (bool fast)
   options.rounds.rounds = fast ? 3 : 6;
   if (!fast)
     options.rounds.sheet_distance = -1;
+  return options;
+}
+
+/** The same with noise that may vary, and neighbourhoods that may grow: as they are by default. */
+inline pcl_normal_smoothing::core::SmoothingOptions
+wideningOptions (bool fast)
+{
+  pcl_normal_smoothing::core::SmoothingOptions options = robustOptions (fast);
+  options.noise_varies = options.widen_neighborhoods = true;
   return options;
 }
 

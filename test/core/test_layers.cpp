@@ -125,14 +125,6 @@ meanError (const Vectors& points, const Surface& surface)
   return sum / static_cast<double> (points.size ());
 }
 
-SmoothingOptions
-wideningOptions (bool fast)
-{
-  SmoothingOptions options = robustOptions (fast);
-  options.noise_varies = options.widen_neighborhoods = true;
-  return options;
-}
-
 TEST (LayersTest, AreSeenWhateverTheStepAndTheTurn)
 {
   const Eigen::AngleAxisf turn (0.7f, Eigen::Vector3f (1, 2, 3).normalized ());

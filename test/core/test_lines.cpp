@@ -126,14 +126,6 @@ TEST (LinesTest, TheNoiseIsThatAcrossTheLines)
     }
 }
 
-SmoothingOptions
-wideningOptions (bool fast)
-{
-  SmoothingOptions options = robustOptions (fast);
-  options.noise_varies = options.widen_neighborhoods = true;
-  return options;
-}
-
 TEST (LinesTest, WithoutNoiseNothingMoves)
 {
   const Vectors points = lidar (0);

@@ -102,8 +102,7 @@ TEST_P (WideNoisePresets, ItIsSmoothed)
   };
   for (const double noise : {0.5, 1.0}) {
     const Vectors points = square (noise);
-    SmoothingOptions options = robustOptions (GetParam ());
-    options.noise_varies = options.widen_neighborhoods = true;
+    SmoothingOptions options = wideningOptions (GetParam ());
     const std::uint32_t k = GetParam () ? 16 : 32;
     EXPECT_LT (error (sum (points, smoothed (asPositions (points), k, options).displacements)), 0.3 * error (points))
         << noise;
