@@ -4,6 +4,22 @@
 
 namespace pcl_normal_smoothing
 {
+void
+includeCopies (const core::NeighborGraph& graph,
+               const std::optional<VectorView>& given,
+               core::Vectors& displacements,
+               core::Vectors& normals)
+{
+  graph.repeatForCopies (displacements);
+  graph.repeatForCopies (normals);
+  if (!given)
+    return;
+  const core::Vectors of_copies = readNormals (*given, graph.copies ().points);
+  for (std::size_t i = 0; i < of_copies.size (); ++i)
+    if (normals[graph.size () + i].dot (of_copies[i]) < 0)
+      normals[graph.size () + i] *= -1;
+}
+
 SmoothingRun::SmoothingRun (const core::SmoothingOptions& options,
                             const VectorView& positions,
                             const pcl::Indices& indices,
@@ -34,17 +50,20 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
   core::smooth (graph_, options, research, execution, nodes, normals_);
   options_ = options.inUnit (1 / unit_);
   displacements_ = core::displacements (start, nodes);
+  if (!graph_->copies ().points.empty ())
+    with_copies_ = graph_->points ();
+  includeCopies (*graph_, normals, displacements_, normals_);
 }
 
 void
 SmoothingRun::writePositions (const VectorLayout& layout, std::uint8_t* data) const
 {
-  writeDisplacements (displacements_, unit_, graph_->order (), selected_, layout, data, execution_);
+  writeDisplacements (displacements_, unit_, points (), selected_, layout, data, execution_);
 }
 
 void
 SmoothingRun::writeNormals (const VectorLayout& layout, std::uint8_t* data) const
 {
-  pcl_normal_smoothing::writeNormals (normals_, graph_->order (), selected_, layout, data, execution_);
+  pcl_normal_smoothing::writeNormals (normals_, points (), selected_, layout, data, execution_);
 }
 } // namespace pcl_normal_smoothing

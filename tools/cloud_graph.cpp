@@ -58,7 +58,7 @@ searchNeighbors (const CloudFile& file, const core::NeighborQuery& query, const 
   const core::Positions cloud = readPositions (positionsOf (file));
   CloudGraph result;
   result.graph = core::NeighborGraph::build (cloud, query.inUnit (cloud.unit), execution);
-  checkPointCount (result.graph->size (), query.k);
+  checkPointCount (result.graph->finiteCount (), query.k);
   result.nodes = core::gather (cloud, result.graph->order ());
   return result;
 }

@@ -28,7 +28,9 @@ class SurfaceNoiseEstimationTool : public tools::Tool
   {
     const tools::CloudFile file = tools::loadInput (options.file (0));
     const core::Execution execution (search_.threads, tools::progressOnTerminal ());
-    const tools::CloudGraph cloud = tools::searchNeighbors (file, search_.query (standard_k), execution.part (0, 0.9));
+    core::NeighborQuery query = search_.query (standard_k);
+    query.distinct = true;
+    const tools::CloudGraph cloud = tools::searchNeighbors (file, query, execution.part (0, 0.9));
     const core::NoiseEstimate noise =
         core::estimateNoise (*cloud.graph, cloud.nodes, execution.part (0.9, 1)).inCloudUnit (cloud.nodes.unit);
     if (!(noise.spacing > 0)) {

@@ -39,7 +39,9 @@ public:
   core::NeighborQuery
   query () const
   {
-    return search_.query (smoothing_.presetK ());
+    core::NeighborQuery query = search_.query (smoothing_.presetK ());
+    query.distinct = smoothing_.options ().robust;
+    return query;
   }
 
   /** Of the output. */

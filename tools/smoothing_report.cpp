@@ -42,7 +42,9 @@ noiseOf (const CloudFile& noisy, const core::SmoothingOptions& used, const core:
   core::NoiseEstimate noise = used.rounds.noise;
   if (!used.robust) {
     const core::Positions cloud = readPositions (positionsOf (noisy));
-    const auto graph = core::NeighborGraph::build (cloud, makeNeighborQuery (16, 0, 0), execution);
+    core::NeighborQuery query {core::noise_row_length};
+    query.distinct = true;
+    const auto graph = core::NeighborGraph::build (cloud, query, execution);
     noise = core::estimateNoise (*graph, core::gather (cloud, graph->order ()), execution).inCloudUnit (cloud.unit);
   }
   return {{"sigma", noise.sigma},

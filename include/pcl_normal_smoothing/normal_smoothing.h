@@ -66,6 +66,12 @@ protected:
   {
     core::checkNeighborCount (options (), k);
   }
+
+  bool
+  joinsCopies () const override
+  {
+    return options ().robust;
+  }
 };
 
 /** The same for a cloud of any fields: reads x y z, float or double, and writes them; every other field stays byte for
@@ -122,6 +128,12 @@ protected:
   checkK (int k) const override
   {
     core::checkNeighborCount (options (), k);
+  }
+
+  bool
+  joinsCopies () const override
+  {
+    return options ().robust;
   }
 
 private:

@@ -70,12 +70,20 @@ protected:
   checkK (int) const
   {}
 
+  /** Whether points in one place count as one. */
+  virtual bool
+  joinsCopies () const
+  {
+    return false;
+  }
+
   core::NeighborQuery
   makeQuery () const
   {
     const int k = k_ == 0 && radius_ == 0 ? defaultK () : k_;
-    const core::NeighborQuery query = makeNeighborQuery (k, radius_, max_neighbor_distance_);
+    core::NeighborQuery query = makeNeighborQuery (k, radius_, max_neighbor_distance_);
     checkK (k);
+    query.distinct = joinsCopies ();
     return query;
   }
 

@@ -8,6 +8,15 @@
 
 namespace pcl_normal_smoothing
 {
+/** Takes what was found of the nodes for their copies too: graph.points ().
+  * \param[in] given the normals of the cloud, where they are not estimated: a copy may be the other side of the surface
+  * \param[in,out] displacements, normals of the nodes; on return, of their copies too */
+void
+includeCopies (const core::NeighborGraph& graph,
+               const std::optional<VectorView>& given,
+               core::Vectors& displacements,
+               core::Vectors& normals);
+
 /** One smoothing of a cloud of any layout: what NormalSmoothing does for every kind of cloud. */
 class SmoothingRun
 {
@@ -49,11 +58,19 @@ public:
   writeNormals (const VectorLayout& layout, std::uint8_t* data) const;
 
 private:
+  /** What belongs to these is written. */
+  const core::Elements&
+  points () const
+  {
+    return with_copies_.empty () ? graph_->order () : with_copies_;
+  }
+
   core::SmoothingOptions options_;
   core::Execution execution_; // silent
   std::vector<bool> selected_;
   core::Positions cloud_;
   core::NeighborGraph::ConstPtr graph_;
+  core::Elements with_copies_; // the points that are written, where they are more than the nodes
   core::Vectors displacements_;
   double unit_ = 1; // of the displacements
   core::Vectors normals_;

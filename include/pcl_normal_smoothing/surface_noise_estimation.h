@@ -57,6 +57,12 @@ protected:
     return 16;
   }
 
+  bool
+  joinsCopies () const override
+  {
+    return true;
+  }
+
 private:
   /** The points that are looked at: the input itself where all finite ones are indexed, else a copy of the indexed.
     * \throw core::Error where an index is out of range, or there would be a copy but a graph is set */

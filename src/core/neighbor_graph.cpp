@@ -47,6 +47,48 @@ finiteElements (const Positions& positions, const Execution& execution)
   return finite;
 }
 
+std::vector<std::uint32_t>
+NeighborGraph::nodesOfPoints () const
+{
+  std::vector<std::uint32_t> node_of (cloud_size_, no_node);
+  for (std::uint32_t node = 0; node < size (); ++node)
+    node_of[order ()[node]] = node;
+  for (std::size_t i = 0; i < copies ().points.size (); ++i)
+    node_of[copies ().points[i]] = copies ().originals[i];
+  return node_of;
+}
+
+void
+NeighborGraph::setCopies (const Copies& copies)
+{
+  if (copies.points.empty ())
+    return;
+  const std::vector<std::uint32_t> node_of = nodesOfPoints ();
+  auto of_nodes = std::make_shared<Copies> ();
+  for (std::size_t i = 0; i < copies.points.size (); ++i)
+    if (const std::uint32_t node = node_of[copies.originals[i]]; node != no_node) {
+      of_nodes->points.push_back (copies.points[i]);
+      of_nodes->originals.push_back (node);
+    }
+  copies_ = of_nodes;
+}
+
+Elements
+NeighborGraph::points () const
+{
+  Elements points = order ();
+  points.insert (points.end (), copies ().points.begin (), copies ().points.end ());
+  return points;
+}
+
+void
+NeighborGraph::repeatForCopies (Vectors& of_nodes) const
+{
+  of_nodes.reserve (of_nodes.size () + copies ().points.size ());
+  for (const std::uint32_t node : copies ().originals)
+    of_nodes.push_back (of_nodes[node]);
+}
+
 Row
 NeighborGraph::row (std::size_t node) const
 {
@@ -113,9 +155,10 @@ NeighborGraph::build (const Positions& cloud, const NeighborQuery& query, const 
 {
   auto graph = std::make_shared<NeighborGraph> ();
   graph->cloud_size_ = cloud.size ();
-  const Elements finite = finiteElements (cloud, execution.silent ());
+  Elements finite = finiteElements (cloud, execution.silent ());
   if (finite.empty ())
     return graph;
+  const Copies copies = query.distinct ? takeOutCopies (cloud, execution.silent (), finite) : Copies ();
   const KdTree tree (gather (cloud, finite, execution.silent ()), finite, execution);
   const auto order = std::make_shared<Elements> (finite.size ());
   parallelFor (order->size (), execution.silent (), [&] (std::size_t begin, std::size_t end) {
@@ -123,6 +166,7 @@ NeighborGraph::build (const Positions& cloud, const NeighborQuery& query, const 
       (*order)[slot] = finite[tree.order ()[slot]];
   });
   graph->order_ = order;
+  graph->setCopies (copies);
 
   Rows rows (*graph, rowLength (query, graph->size ()));
   tree.searchAll (query, execution, [&] (std::uint32_t slot, const auto& row) { rows.put (slot, row); });
@@ -136,6 +180,7 @@ NeighborGraph::rebuild (const Positions& nodes, const NeighborQuery& query, cons
   auto graph = std::make_shared<NeighborGraph> ();
   graph->cloud_size_ = cloud_size_;
   graph->order_ = order_;
+  graph->copies_ = copies_;
   if (order_->empty ())
     return graph;
   const KdTree tree (nodes, *order_, execution);
@@ -147,73 +192,13 @@ NeighborGraph::rebuild (const Positions& nodes, const NeighborQuery& query, cons
   return graph;
 }
 
-namespace
-{
-/** Searches the rows of the points from rows.size () on.
-  * \param[out] rows without the point itself; the slots are numbers of points, as the ranks of the tree are */
-void
-searchRows (const KdTree& tree,
-            const Positions& cloud,
-            const Elements& points,
-            const NeighborQuery& query,
-            const Execution& execution,
-            std::vector<std::vector<Neighbor>>& rows)
-{
-  const std::size_t first = rows.size ();
-  rows.resize (points.size ());
-  parallelFor (rows.size () - first, execution, [&] (std::size_t begin, std::size_t end) {
-    KdTree::Scratch scratch;
-    for (std::size_t i = first + begin; i < first + end; ++i)
-      for (const Neighbor& found : tree.search (cloud.base[points[i]], cloud.offset[points[i]], query, scratch))
-        if (found.rank != points[i] && (query.k == 0 || rows[i].size () + 1 < query.k))
-          rows[i].push_back ({found.sq_dist, found.rank, found.rank});
-  });
-}
-} // namespace
-
 NeighborGraph::Ptr
-NeighborGraph::buildAround (const Positions& cloud,
-                            const Elements& start,
-                            int hops,
-                            const NeighborQuery& query,
-                            const Execution& execution)
-{
-  constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
-  auto graph = std::make_shared<NeighborGraph> ();
-  graph->cloud_size_ = cloud.size ();
-  const auto nodes = std::make_shared<Elements> (start);
-  graph->order_ = nodes;
-  if (start.empty ())
-    return graph;
-  const Elements finite = finiteElements (cloud, execution.silent ());
-  const KdTree tree (gather (cloud, finite, execution.silent ()), finite, execution.silent ());
-  std::vector<std::uint32_t> node_of (cloud.size (), no_node); // of a point
-  for (std::uint32_t node = 0; node < start.size (); ++node)
-    node_of[start[node]] = node;
-
-  std::vector<std::vector<Neighbor>> rows;
-  for (int hop = 0; hop <= hops; ++hop) {
-    const std::size_t reached = rows.size ();
-    searchRows (tree, cloud, *nodes, query, execution.part (hop, hop + 1, hops + 1), rows);
-    for (std::size_t node = reached; node < rows.size (); ++node)
-      for (const Neighbor& neighbor : rows[node])
-        if (node_of[neighbor.slot] == no_node) {
-          node_of[neighbor.slot] = static_cast<std::uint32_t> (nodes->size ());
-          nodes->push_back (neighbor.slot);
-        }
-  }
-  Rows of_graph (*graph, 0);
-  for (std::uint32_t node = 0; node < rows.size (); ++node)
-    of_graph.put (node, rows[node], node_of.data ());
-  of_graph.finish ();
-  return graph;
-}
-
-NeighborGraph::Ptr
-NeighborGraph::build (const Positions& cloud, const Search& search, const Execution& execution)
+NeighborGraph::build (const Positions& cloud, const Search& search, const Execution& execution, bool distinct)
 {
   // The tree of our own gives the order in space; the neighbours are the search's.
-  const auto ordered = build (cloud, NeighborQuery {1}, execution.part (0, 0.1));
+  NeighborQuery order_alone {1};
+  order_alone.distinct = distinct;
+  const auto ordered = build (cloud, order_alone, execution.part (0, 0.1));
   return ordered->rebuild (gather (cloud, ordered->order ()), search, execution.part (0.1, 1));
 }
 
@@ -223,10 +208,8 @@ NeighborGraph::rebuild (const Positions& nodes, const Search& search, const Exec
   auto graph = std::make_shared<NeighborGraph> ();
   graph->cloud_size_ = cloud_size_;
   graph->order_ = order_;
-  constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
-  std::vector<std::uint32_t> node_of (cloud_size_, no_node);
-  for (std::uint32_t node = 0; node < size (); ++node)
-    node_of[order ()[node]] = node;
+  graph->copies_ = copies_;
+  const std::vector<std::uint32_t> node_of = nodesOfPoints ();
 
   Rows rows (*graph, 0);
   parallelFor (size (), execution, [&] (std::size_t begin, std::size_t end) {
@@ -239,10 +222,13 @@ NeighborGraph::rebuild (const Positions& nodes, const Search& search, const Exec
         if (index >= cloud_size_ || node_of[index] == no_node)
           throw Error ("the search object returned point " + std::to_string (index) +
                        ", which is not a finite point of the input cloud: let it search the same cloud");
-        if (index != order ()[node])
-          row.push_back ({squaredLength (nodes.difference (node, node_of[index])), index, node_of[index]});
+        const std::uint32_t neighbor = node_of[index];
+        if (neighbor != node)
+          row.push_back ({squaredLength (nodes.difference (node, neighbor)), order ()[neighbor], neighbor});
       }
       std::sort (row.begin (), row.end ());
+      const auto isOnePlace = [] (const Neighbor& a, const Neighbor& b) { return a.slot == b.slot; };
+      row.erase (std::unique (row.begin (), row.end (), isOnePlace), row.end ());
       rows.put (node, row);
     }
   });

@@ -4,7 +4,6 @@
 #include <pcl_normal_smoothing/core/noise_sample.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace pcl_normal_smoothing
 {
@@ -15,33 +14,39 @@ namespace
 constexpr std::size_t noise_sample_size = 4096;
 constexpr std::uint32_t row_length = noise_row_length;
 
-/** \param[in,out] hash of what came before */
-void
-mix (const Eigen::Vector3f& coordinates, std::uint32_t& hash)
-{
-  for (int d = 0; d < 3; ++d) {
-    const float coordinate = coordinates[d] + 0.0f; // -0 is 0
-    std::uint32_t bits;
-    std::memcpy (&bits, &coordinate, sizeof bits);
-    hash = (hash ^ bits) * 0x9E3779B1u;
-    hash = (hash ^ (hash >> 15)) * 0x85EBCA77u;
-    hash ^= hash >> 13;
-  }
-}
-
 /** The neighbourhoods of the nodes in a sample, one after the other, each filled up with the node itself. */
 using SampleRows = std::vector<std::uint32_t>;
 
-SampleRows
-rowsOfGraph (const NeighborGraph& graph, const std::vector<std::uint32_t>& sample)
+// Of the way to the last of a row: nearer to each other than that are copies but for rounding, which have one noise.
+constexpr float copy_distance = 1e-3f;
+
+/** The first of a row, itself first, one in a place.
+  * \param[in] row ascending by distance
+  * \param[out] begin room for row_length, filled up with the node itself */
+template <typename NodeRow>
+void
+copyDistinct (const Positions& nodes, const NodeRow& row, std::uint32_t* begin)
 {
-  SampleRows rows;
-  rows.reserve (sample.size () * row_length);
-  for (const std::uint32_t node : sample) {
-    const Row row = graph.row (node);
-    for (std::size_t j = 0; j < row_length; ++j)
-      rows.push_back (j < row.size () ? row[j] : node);
-  }
+  std::uint32_t* end = begin;
+  const std::size_t last = std::min<std::size_t> (row.size (), row_length) - 1;
+  const float least = copy_distance * copy_distance * squaredLength (nodes.difference (row[0], row[last]));
+  const auto isCopy = [&] (std::uint32_t node) {
+    return std::any_of (begin, end, [&] (std::uint32_t other) {
+      return squaredLength (nodes.difference (node, other)) < least;
+    });
+  };
+  for (std::size_t j = 0; j < row.size () && end != begin + row_length; ++j)
+    if (!isCopy (row[j]))
+      *end++ = row[j];
+  std::fill (end, begin + row_length, row[0]);
+}
+
+SampleRows
+rowsOfGraph (const NeighborGraph& graph, const Positions& nodes, const std::vector<std::uint32_t>& sample)
+{
+  SampleRows rows (sample.size () * row_length);
+  for (std::size_t i = 0; i < sample.size (); ++i)
+    copyDistinct (nodes, graph.row (sample[i]), &rows[i * row_length]);
   return rows;
 }
 
@@ -58,14 +63,14 @@ searchedRows (const NeighborGraph& graph,
       sample.size (), execution,
       [&] (std::size_t begin, std::size_t end) {
         KdTree::Scratch scratch;
+        std::vector<std::uint32_t> row;
         for (std::size_t i = begin; i < end; ++i) {
           const std::uint32_t node = sample[i];
-          const auto row = rows.begin () + static_cast<std::ptrdiff_t> (i * row_length);
-          std::fill_n (row, row_length, node);
-          auto place = row + 1;
+          row.assign (1, node);
           for (const Neighbor& neighbor : tree.search (nodes.base[node], nodes.offset[node], {row_length}, scratch))
-            if (tree.order ()[neighbor.slot] != node && place != row + row_length)
-              *place++ = tree.order ()[neighbor.slot];
+            if (tree.order ()[neighbor.slot] != node && row.size () != row_length)
+              row.push_back (tree.order ()[neighbor.slot]);
+          copyDistinct (nodes, row, &rows[i * row_length]);
         }
       },
       64);
@@ -119,16 +124,6 @@ residualsOf (const Positions& nodes,
 }
 } // namespace
 
-std::uint32_t
-hashOf (const Positions& nodes, std::size_t node)
-{
-  std::uint32_t hash = 2166136261u;
-  mix (nodes.base[node], hash);
-  if (nodes.offset[node] != Eigen::Vector3f (0, 0, 0)) // in double, far from the origin, many points have one base
-    mix (nodes.offset[node], hash);
-  return hash;
-}
-
 std::vector<std::uint32_t>
 sampleNodes (const Positions& nodes, std::uint64_t cloud_size, std::size_t sample_size, const Execution& execution)
 {
@@ -179,11 +174,11 @@ noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size)
 NoiseSample
 sampleNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const std::vector<std::uint32_t> sample = sampleNodes (nodes, nodes.size (), noise_sample_size, execution);
+  const std::vector<std::uint32_t> sample = sampleNodes (nodes, graph.finiteCount (), noise_sample_size, execution);
   // A graph by radius, or of small neighbourhoods, does not show enough.
   const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
   return residualsOf (nodes, sample,
-                      is_enough ? rowsOfGraph (graph, sample) : searchedRows (graph, nodes, sample, execution),
+                      is_enough ? rowsOfGraph (graph, nodes, sample) : searchedRows (graph, nodes, sample, execution),
                       execution);
 }
 
@@ -198,7 +193,7 @@ sampleNoise (const NeighborGraph& graph,
   for (const std::uint32_t node : sample)
     if (graph.row (node).size () >= std::min<std::uint64_t> (row_length, cloud_size))
       with_rows.push_back (node);
-  NoiseSample residuals = residualsOf (nodes, with_rows, rowsOfGraph (graph, with_rows), execution);
+  NoiseSample residuals = residualsOf (nodes, with_rows, rowsOfGraph (graph, nodes, with_rows), execution);
   residuals.short_rows = sample.size () - with_rows.size ();
   return residuals;
 }

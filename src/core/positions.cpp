@@ -2,11 +2,29 @@
 #include <pcl_normal_smoothing/core/positions.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
+namespace
+{
+/** \param[in,out] hash of what came before */
+void
+mix (const Eigen::Vector3f& coordinates, std::uint32_t& hash)
+{
+  for (int d = 0; d < 3; ++d) {
+    const float coordinate = coordinates[d] + 0.0f; // -0 is 0
+    std::uint32_t bits;
+    std::memcpy (&bits, &coordinate, sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B1u;
+    hash = (hash ^ (hash >> 15)) * 0x85EBCA77u;
+    hash ^= hash >> 13;
+  }
+}
+} // namespace
+
 bool
 hasOffsets (const Positions& positions)
 {
@@ -36,6 +54,16 @@ displacements (const Vectors& start, const Positions& positions)
   for (std::size_t i = 0; i < start.size (); ++i)
     result[i] -= start[i];
   return result;
+}
+
+std::uint32_t
+hashOf (const Positions& positions, std::size_t i)
+{
+  std::uint32_t hash = 2166136261u;
+  mix (positions.base[i], hash);
+  if (positions.offset[i] != Eigen::Vector3f (0, 0, 0)) // in double, far from the origin, many points have one base
+    mix (positions.offset[i], hash);
+  return hash;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -136,7 +136,7 @@ estimateSheets (const NeighborGraph& graph, const Positions& positions, float di
 {
   if (std::isinf (distance))
     return {};
-  const std::vector<std::uint32_t> sample = sheetSampleNodes (positions, positions.size (), execution);
+  const std::vector<std::uint32_t> sample = sheetSampleNodes (positions, graph.finiteCount (), execution);
   return estimateSheets (sampleSheets (graph, positions, sample, distance, execution), distance);
 }
 } // namespace core

@@ -149,8 +149,9 @@ protected:
   NoiseEstimate
   separatedNoise () override
   {
-    const std::vector<std::uint32_t> sample = noiseSampleNodes (positions_, positions_.size ());
-    return estimateNoise (sampleNoise (*graph_, positions_, sample, positions_.size (), execution_), widening_);
+    const std::size_t size = graph_->finiteCount ();
+    const std::vector<std::uint32_t> sample = noiseSampleNodes (positions_, size);
+    return estimateNoise (sampleNoise (*graph_, positions_, sample, size, execution_), widening_);
   }
 
   void

@@ -14,7 +14,7 @@ namespace tools
 {
 namespace
 {
-constexpr int format_version = 2;
+constexpr int format_version = 3;
 constexpr const char* plan_again = "run plan again";
 
 std::string

@@ -139,6 +139,7 @@ queryAsJson (const core::NeighborQuery& query)
   Writer writer;
   writer ("k", query.k);
   writer ("radius", query.radius);
+  writer ("distinct", query.distinct);
   return writer.json;
 }
 
@@ -149,6 +150,7 @@ queryFromJson (const Json& json)
   const Reader reader (json);
   reader ("k", query.k);
   reader ("radius", query.radius);
+  reader ("distinct", query.distinct);
   return query;
 }
 } // namespace tools

@@ -69,12 +69,16 @@ Region::load (const std::vector<Place>& places, const IsWanted& is_wanted, const
   for (const Place& place : places)
     markLoaded (place.cell);
   loadAround (places, depth.rows + 1 + std::max (depth.separation, 0));
+  enough_ = query_.k;
   bool proven = false;
   while (!proven) {
+    const std::size_t loaded = loaded_.size ();
     graph_ = searched_ = nullptr;
     readLoaded ();
     search (is_wanted, depth);
     proven = !loadAround (findDoubts (neighborhoods (), wanted_, depth, execution_));
+    if (loaded_.size () == loaded)
+      enough_ *= 2; // some are copies of others
   }
 }
 
@@ -152,7 +156,7 @@ Region::loadFor (const Doubt& doubt, const Neighborhoods& neighborhoods)
   std::uint64_t points = 0;
   for (const Found& cell : found) {
     points += plan_.cells[cell.cell].points;
-    if (query_.k > 0 && points >= query_.k) {
+    if (query_.k > 0 && points >= enough_) {
       radius = std::min (radius, cell.farthest);
       break;
     }
@@ -209,11 +213,11 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
   const RecordLayout& record = plan_.record;
   const core::Positions positions =
       readPositions (VectorView {record.positions (), records_.data (), size ()}, plan_.unit, execution_);
-  std::vector<bool> asked (size ());
+  wanted_records_.assign (size (), false);
   core::Elements points;
   for (const std::uint32_t i : core::finiteElements (positions, execution_))
     if (is_wanted (cell_of_[i], RecordLayout::numberOf (&records_[i * record.bytes ()]))) {
-      asked[i] = true;
+      wanted_records_[i] = true;
       points.push_back (i);
     }
   // To ask for one point after the other takes a few times as long, but of few points most of what is loaded is not asked for.
@@ -230,8 +234,14 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
                                    execution_);
   wanted_.clear ();
   for (std::uint32_t node = 0; node < searched_->size (); ++node)
-    if (asked[searched_->order ()[node]])
+    if (wanted_records_[searched_->order ()[node]])
       wanted_.push_back (node);
+  const core::Copies& copies = searched_->copies ();
+  for (std::size_t i = 0; i < copies.points.size (); ++i)
+    if (wanted_records_[copies.points[i]])
+      wanted_.push_back (copies.originals[i]);
+  std::sort (wanted_.begin (), wanted_.end ());
+  wanted_.erase (std::unique (wanted_.begin (), wanted_.end ()), wanted_.end ());
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -80,7 +80,14 @@ public:
     return graph_;
   }
 
-  /** The nodes that the computation is for, ascending. */
+  /** The records that the computation is for. */
+  const std::vector<bool>&
+  wantedRecords () const
+  {
+    return wanted_records_;
+  }
+
+  /** Their nodes, and those of which they are copies; ascending. */
   const std::vector<std::uint32_t>&
   wanted () const
   {
@@ -132,7 +139,9 @@ private:
   core::Positions nodes_;
   core::Vectors normals_;
   core::NeighborGraph::ConstPtr searched_, graph_;
+  std::vector<bool> wanted_records_;
   std::vector<std::uint32_t> wanted_;
+  std::uint64_t enough_ = 0; // points near a doubt, for all of its neighbours to be among them
   int searches_ = 0;
 };
 } // namespace tools

@@ -41,7 +41,9 @@ protected:
   core::NoiseEstimate
   mixedNoise () override
   {
-    core::NoiseSample sample = sampleOf (core::NeighborQuery {core::noise_row_length}, {0, -1});
+    core::NeighborQuery query {core::noise_row_length};
+    query.distinct = plan_.query.distinct;
+    core::NoiseSample sample = sampleOf (query, {0, -1});
     const core::NoiseEstimate noise = core::estimateNoise (sample);
     const auto all = static_cast<double> (sample.of_nodes.size ());
     may_need_widening_ = noise.sigma > ratio_of_wide_noise * noise.spacing ||
@@ -55,10 +57,10 @@ protected:
     if (std::isinf (distance))
       return {};
     core::SheetSample all;
-    forEachTile (plan_.query, {core::sheet_sample_depth, -1}, [&] (Region& region) {
-      std::vector<std::uint32_t> sample;
+    forEachTile (plan_.query, {core::sheet_sample_depth, -1}, [&] (Region& region, const Nodes& wanted) {
+      Nodes sample;
       const auto in_sample = core::sheetSampleNodes (region.nodes (), plan_.points, execution_);
-      std::set_intersection (in_sample.begin (), in_sample.end (), region.wanted ().begin (), region.wanted ().end (),
+      std::set_intersection (in_sample.begin (), in_sample.end (), wanted.begin (), wanted.end (),
                              std::back_inserter (sample));
       all.join (core::sampleSheets (*region.graph (), region.nodes (), sample, distance, execution_));
     });
@@ -86,14 +88,27 @@ protected:
   }
 
 private:
+  using Nodes = std::vector<std::uint32_t>;
+
   core::NoiseSample
   sampleOf (const core::NeighborQuery& query, const Depth& depth)
   {
     core::NoiseSample all;
-    forEachTile (query, depth, [&] (Region& region) {
-      all.join (core::sampleNoise (*region.graph (), region.nodes (), region.wanted (), plan_.points, execution_));
+    forEachTile (query, depth, [&] (Region& region, const Nodes& wanted) {
+      all.join (core::sampleNoise (*region.graph (), region.nodes (), wanted, plan_.points, execution_));
     });
     return all;
+  }
+
+  /** A copy may be in one tile, and its node in another: it counts there. */
+  static Nodes
+  withoutCopies (const Region& region)
+  {
+    Nodes nodes;
+    std::copy_if (
+        region.wanted ().begin (), region.wanted ().end (), std::back_inserter (nodes),
+        [&] (std::uint32_t node) { return region.wantedRecords ()[region.graph ()->order ()[node]]; });
+    return nodes;
   }
 
   /** Calls \a body with the points of the sample in one tile after the other. */
@@ -112,7 +127,7 @@ private:
       Region region (plan_, query, execution_);
       region.load (
           places, [&] (std::uint32_t, std::uint64_t number) { return numbers.count (number) > 0; }, depth);
-      body (region);
+      body (region, withoutCopies (region));
       begin = end;
     }
   }

@@ -5,9 +5,11 @@
 #include "tile_result.h"
 
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <pcl_normal_smoothing/smoothing_run.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pcl_normal_smoothing
 {
@@ -41,9 +43,6 @@ private:
       depth.separation =
           core::separationDepth (core::SmoothingPreparation::separation (plan_.options, region_.normals ()));
     region_.loadTile (tile_, depth);
-    selected_.resize (region_.size ());
-    for (const std::uint32_t node : region_.wanted ())
-      selected_[region_.graph ()->order ()[node]] = true;
   }
 
   void
@@ -57,29 +56,34 @@ private:
         static_cast<std::uint64_t> (std::count_if (region_.wanted ().begin (), region_.wanted ().end (), has_normal));
     core::smoothByNormals (region_.graph (), plan_.options, {}, execution_, nodes, region_.normals ());
     displacements_ = core::displacements (start, nodes);
+    std::optional<VectorView> given;
+    if (plan_.options.normals == NormalSource::INPUT)
+      given = VectorView {plan_.record.normals (), region_.records ().data (), region_.size ()};
+    includeCopies (*region_.graph (), given, displacements_, region_.normals ());
   }
 
   void
   write ()
   {
     std::vector<std::uint8_t>& records = region_.records ();
-    const core::Elements& order = region_.graph ()->order ();
-    writeDisplacements (displacements_, plan_.unit, order, selected_, plan_.record.positions (), records.data ());
-    std::vector<std::uint32_t> node_of (region_.size ());
-    for (std::uint32_t node = 0; node < order.size (); ++node)
-      node_of[order[node]] = node;
+    const std::vector<bool>& selected = region_.wantedRecords ();
+    const core::Elements points = region_.graph ()->points ();
+    writeDisplacements (displacements_, plan_.unit, points, selected, plan_.record.positions (), records.data ());
+    std::vector<std::size_t> place_of (region_.size ()); // in points
+    for (std::size_t place = 0; place < points.size (); ++place)
+      place_of[points[place]] = place;
 
     const std::size_t from = plan_.record.bytes (), to = plan_.result.bytes ();
     std::vector<std::uint8_t> result;
     result.reserve (plan_.tiles[tile_].points * to);
     for (std::size_t i = 0; i < region_.size (); ++i) {
-      if (!selected_[i])
+      if (!selected[i])
         continue;
       result.resize (result.size () + to);
       std::uint8_t* record = &result[result.size () - to];
       std::copy_n (&records[i * from], sizeof (std::uint64_t) + 3 * plan_.result.positionBytes (), record);
       if (plan_.save_normals)
-        plan_.result.normals ().set (record, 0, region_.normals ()[node_of[i]].cast<double> ());
+        plan_.result.normals ().set (record, 0, region_.normals ()[place_of[i]].cast<double> ());
     }
     saveResult (plan_, tile_, result, with_normal_);
   }
@@ -88,7 +92,6 @@ private:
   std::size_t tile_;
   core::Execution execution_;
   Region region_;
-  std::vector<bool> selected_; // records
   core::Vectors displacements_;
   std::uint64_t with_normal_ = 0;
 };

@@ -153,6 +153,7 @@ TilesCommand::plan (const Options& options)
   request_.options = method_.options ();
   checkOptions (request_.options, search_.k);
   request_.query = search_.query (method_.presetK ());
+  request_.query.distinct = request_.options.robust;
   request_.threads = search_.threads;
   request_.memory = memory_;
   if (request_.max_points == 0)

@@ -74,7 +74,7 @@ core::NeighborGraph::ConstPtr
 ViewerSession::graphFor (const core::NeighborQuery& query, unsigned threads)
 {
   const auto kept = std::find_if (graphs_.begin (), graphs_.end (), [&] (const KeptGraph& other) {
-    return other.query.k == query.k && other.query.radius == query.radius;
+    return other.query.k == query.k && other.query.radius == query.radius && other.query.distinct == query.distinct;
   });
   if (kept != graphs_.end ())
     graphs_.splice (graphs_.begin (), graphs_, kept);

@@ -15,12 +15,14 @@ struct NeighborQuery
   std::uint32_t k = 0;
   /** Neighbours are closer than this, in the unit of the positions that are searched. */
   float radius = std::numeric_limits<float>::infinity ();
+  /** Points in one place count as one: NeighborGraph::copies. */
+  bool distinct = false;
 
   /** The same query for positions in another unit: see Positions::unit. */
   NeighborQuery
   inUnit (double unit) const
   {
-    return {k, static_cast<float> (radius / unit)};
+    return {k, static_cast<float> (radius / unit), distinct};
   }
 };
 

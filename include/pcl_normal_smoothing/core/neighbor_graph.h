@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/distinct_points.h>
 #include <pcl_normal_smoothing/core/neighbor.h>
-#include <pcl_normal_smoothing/core/parallel_for.h>
-#include <pcl_normal_smoothing/core/positions.h>
 
 #include <memory>
 
@@ -34,7 +33,7 @@ public:
 
   /** Searches the neighbours of some points only, and of what can be reached from them: for a sample of a cloud.
     * \param[in] start finite points of the cloud, each once
-    * \param[in] hops along rows. The nodes are \a start, in that order, and what is reached by so many hops and one more; the rows
+    * \param[in] hops along rows. The nodes are \a start, in that order, copies apart, and what is reached by so many hops and one more; the rows
     * of what only the last one reaches hold nothing but the node */
   static Ptr
   buildAround (const Positions& cloud,
@@ -43,9 +42,10 @@ public:
                const NeighborQuery& query,
                const Execution& execution);
 
-  /** As build, from the answers of any search. */
+  /** As build, from the answers of any search.
+    * \param[in] distinct as in NeighborQuery: what the search says of a copy, it says of the node */
   static Ptr
-  build (const Positions& cloud, const Search& search, const Execution& execution);
+  build (const Positions& cloud, const Search& search, const Execution& execution, bool distinct = false);
 
   /** The same nodes, with neighbourhoods searched anew after they have moved.
     * \param[in] nodes positions in the order of the nodes */
@@ -117,6 +117,28 @@ public:
     return *order_;
   }
 
+  /** Points that lie where a node lies, where the query joins them; copies ().originals are nodes. */
+  const Copies&
+  copies () const
+  {
+    return *copies_;
+  }
+
+  /** Index in the cloud of every node, then of every copy. */
+  Elements
+  points () const;
+
+  /** \param[in,out] of_nodes what belongs to the nodes; on return, to points () */
+  void
+  repeatForCopies (Vectors& of_nodes) const;
+
+  /** Number of finite points of the cloud: nodes and their copies. */
+  std::size_t
+  finiteCount () const
+  {
+    return order_->size () + copies_->points.size ();
+  }
+
   /** Number of points of the cloud, those that are not finite included. */
   std::size_t
   cloudSize () const
@@ -127,9 +149,20 @@ public:
 private:
   class Rows;
 
+  static constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
+
+  /** The node of every point that is one, or a copy of one; of others no_node. */
+  std::vector<std::uint32_t>
+  nodesOfPoints () const;
+
+  /** \param[in] copies with points as originals; those that are no nodes do not count */
+  void
+  setCopies (const Copies& copies);
+
   using Neighbors = PaddedVector<std::uint32_t>;
 
   std::shared_ptr<const Elements> order_ = std::make_shared<const Elements> (); // shared by graphs of the same nodes
+  std::shared_ptr<const Copies> copies_ = std::make_shared<const Copies> (); // likewise
   std::vector<std::shared_ptr<Neighbors>> neighbors_; // kept alive: those of all blocks, then changed ones
   std::vector<const std::uint32_t*> block_rows_;
   std::vector<std::size_t> block_begin_; // blockCount () + 1

@@ -38,10 +38,6 @@ struct NoiseSample
   dropPlanes ();
 };
 
-/** Of the coordinates, whatever the order of the nodes: any number, as likely as any other. */
-std::uint32_t
-hashOf (const Positions& nodes, std::size_t node);
-
 /** Nodes of a cloud, or of a part of it, that are in a sample of about \a sample_size: those with the smallest hashes of their
   * coordinates, so that a smaller sample is part of a larger one.
   * \param[in] cloud_size finite points of the whole cloud */

@@ -71,6 +71,10 @@ startOf (const Positions& positions);
 Vectors
 displacements (const Vectors& start, const Positions& positions);
 
+/** Of the coordinates of one point, whatever the order of the points: any number, as likely as any other. */
+std::uint32_t
+hashOf (const Positions& positions, std::size_t i);
+
 /** A list of points, every \a stride-th number of an array. */
 class Row
 {

@@ -14,14 +14,14 @@ SearchSettings<PointT>::obtainGraph (const std::string& class_name,
                                      const core::Execution& execution) const
 {
   if (neighbor_graph_) {
-    checkPointCount (class_name, neighbor_graph_->size (), 0);
+    checkPointCount (class_name, neighbor_graph_->finiteCount (), 0);
     return fittingGraph (positions);
   }
   const core::NeighborQuery query = makeQuery ();
   const NeighborGraph::ConstPtr graph =
-      search_ ? NeighborGraph::build (positions, graphSearch<PointT> (search_, cloud (), query), execution)
+      search_ ? NeighborGraph::build (positions, graphSearch<PointT> (search_, cloud (), query), execution, query.distinct)
               : NeighborGraph::build (positions, query.inUnit (positions.unit), execution);
-  checkPointCount (class_name, graph->size (), query.k);
+  checkPointCount (class_name, graph->finiteCount (), query.k);
   return graph;
 }
 
