@@ -20,6 +20,8 @@ namespace pcl_normal_smoothing
   * organisation; a point that is not finite stays as it is and is nobody's neighbour. With setIndices the whole cloud is
   * smoothed and the indexed points are written.
   *
+  * In rounds, points in one place are one neighbour and move together, unless a graph is set that has them apart.
+  *
   * Without k, radius and graph the preset chooses k; one that is set is at least 7 in rounds, in the chain 4 for WPCA and 3 for PCA
   * and Hough. The result is the same, bit for bit, for any number of threads. On an error the output is empty, see filter and
   * getErrorMessage. */

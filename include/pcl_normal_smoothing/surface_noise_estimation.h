@@ -13,7 +13,8 @@ namespace pcl_normal_smoothing
   * it tells close sheets apart, its sigma is that of the neighbourhoods without the other sheet; where it sees past coordinates in
   * steps, its neighbourhoods, and so its spacing, are wider ones. Its usedOptions have what it used.
   *
-  * Looks at a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter. The 16
+  * Looks at a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter, and points in one place
+  * count as one, but in a graph that is set. The 16
   * nearest points are searched, unless a graph or a larger k is set. With setIndices the indexed points alone are the cloud:
   * where these are not all that are finite, a search object (setSearchMethod) is given an unorganised copy of them, and a
   * neighbour graph is refused. */

@@ -31,9 +31,8 @@ copyDistinct (const Positions& nodes, const NodeRow& row, std::uint32_t* begin)
   const std::size_t last = std::min<std::size_t> (row.size (), row_length) - 1;
   const float least = copy_distance * copy_distance * squaredLength (nodes.difference (row[0], row[last]));
   const auto isCopy = [&] (std::uint32_t node) {
-    return std::any_of (begin, end, [&] (std::uint32_t other) {
-      return squaredLength (nodes.difference (node, other)) < least;
-    });
+    return std::any_of (begin, end,
+                        [&] (std::uint32_t other) { return squaredLength (nodes.difference (node, other)) < least; });
   };
   for (std::size_t j = 0; j < row.size () && end != begin + row_length; ++j)
     if (!isCopy (row[j]))

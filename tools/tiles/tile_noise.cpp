@@ -105,9 +105,8 @@ private:
   withoutCopies (const Region& region)
   {
     Nodes nodes;
-    std::copy_if (
-        region.wanted ().begin (), region.wanted ().end (), std::back_inserter (nodes),
-        [&] (std::uint32_t node) { return region.wantedRecords ()[region.graph ()->order ()[node]]; });
+    std::copy_if (region.wanted ().begin (), region.wanted ().end (), std::back_inserter (nodes),
+                  [&] (std::uint32_t node) { return region.wantedRecords ()[region.graph ()->order ()[node]]; });
     return nodes;
   }
 

@@ -162,7 +162,7 @@ private:
   using Neighbors = PaddedVector<std::uint32_t>;
 
   std::shared_ptr<const Elements> order_ = std::make_shared<const Elements> (); // shared by graphs of the same nodes
-  std::shared_ptr<const Copies> copies_ = std::make_shared<const Copies> (); // likewise
+  std::shared_ptr<const Copies> copies_ = std::make_shared<const Copies> ();    // likewise
   std::vector<std::shared_ptr<Neighbors>> neighbors_; // kept alive: those of all blocks, then changed ones
   std::vector<const std::uint32_t*> block_rows_;
   std::vector<std::size_t> block_begin_; // blockCount () + 1

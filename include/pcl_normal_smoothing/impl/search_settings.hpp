@@ -19,8 +19,9 @@ SearchSettings<PointT>::obtainGraph (const std::string& class_name,
   }
   const core::NeighborQuery query = makeQuery ();
   const NeighborGraph::ConstPtr graph =
-      search_ ? NeighborGraph::build (positions, graphSearch<PointT> (search_, cloud (), query), execution, query.distinct)
-              : NeighborGraph::build (positions, query.inUnit (positions.unit), execution);
+      search_
+          ? NeighborGraph::build (positions, graphSearch<PointT> (search_, cloud (), query), execution, query.distinct)
+          : NeighborGraph::build (positions, query.inUnit (positions.unit), execution);
   checkPointCount (class_name, graph->finiteCount (), query.k);
   return graph;
 }
