@@ -69,7 +69,8 @@ public:
     int all = first_fit - fit;
     for (int round = 0; round < options.rounds; ++round)
       all += fit + (filteringSigma (options, round) > 0 ? 1 : 0) + update + schedule.averages;
-    return all;
+    constexpr int keep_apart = 1;
+    return all + keep_apart;
   }
 
   void
@@ -86,6 +87,8 @@ public:
       takeSteps (round);
       execution_.report ((round + 1.0) / options_.rounds);
     }
+    if (options_.rounds > 0)
+      keepApart ();
   }
 
 private:
@@ -185,6 +188,18 @@ private:
     }
     control.risks = risks_.data ();
     forAllBlocks (kernels ().take_steps, control, max_k);
+    positions_.offset.swap (other_);
+  }
+
+  void
+  keepApart ()
+  {
+    KeepApartStep step {};
+    step.nodes = nodeArrays (positions_, normals_);
+    step.start = start_.empty () ? nullptr : start_.data ()->data ();
+    step.max_displacement = options_.max_displacement;
+    step.moved = other_.data ()->data ();
+    forAllBlocks (kernels ().keep_apart, step, max_k);
     positions_.offset.swap (other_);
   }
 

@@ -183,6 +183,22 @@ TEST_P (KernelsTest, StepsAreTheSameForEveryInstructionSet)
     });
 }
 
+TEST_P (KernelsTest, PointsAreKeptApartTheSameForEveryInstructionSet)
+{
+  const Vectors start = withNoise (Vectors (nodes_.size (), Eigen::Vector3f::Zero ()), 0.2, 124);
+  for (const bool moved_before : {true, false})
+    expectAllTheSame ([&] (const Kernels& kernels) {
+      Vectors moved (nodes_.size ());
+      KeepApartStep step {};
+      step.nodes = nodeArrays (nodes_, normals_);
+      step.start = moved_before ? start.data ()->data () : nullptr;
+      step.max_displacement = .3f;
+      step.moved = moved.data ()->data ();
+      forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels.keep_apart (step, rows); });
+      return std::vector<float> (moved.data ()->data (), moved.data ()->data () + 3 * moved.size ());
+    });
+}
+
 TEST_P (KernelsTest, TheWayAlongTheNormalIsAddedUpFromTheSecondRoundOn)
 {
   for (const bool first_round : {true, false}) {

@@ -129,6 +129,15 @@ struct StepControl
   float* taken; // out of take_steps: offsets; may be the proposed ones
 };
 
+/** Moves points along the surface that came too close to each other: see core/robust_smoothing.h. */
+struct KeepApartStep
+{
+  NodeArrays nodes;
+  const float* start; // offsets before the first round; null where all are zero
+  float max_displacement;
+  float* moved; // out: offsets
+};
+
 /** Lets 16 triples of points vote for the normals of their planes: see core/hough.h. */
 struct PlaneVotes
 {
@@ -174,6 +183,7 @@ struct Kernels
   void (*averaging_weights) (const StepControl& control, const BlockRows& rows);
   void (*average_risks) (const StepControl& control, const BlockRows& rows);
   void (*take_steps) (const StepControl& control, const BlockRows& rows);
+  void (*keep_apart) (const KeepApartStep& step, const BlockRows& rows);
   void (*vote_planes) (const PlaneVotes& votes);
   /** The candidates within the bound: their numbers and squared distances. Both outputs have room for candidates.count
     * and 16 more. */

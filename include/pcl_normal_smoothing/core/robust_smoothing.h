@@ -10,7 +10,8 @@ namespace core
 {
 /** Smoothing in rounds. Each fits a robust quadric to every neighbourhood and takes its normal, proposes the compensated
   * step of UpdateRule::COMPENSATED with weights that see by its height that a neighbour lies on another sheet, and takes
-  * as much of the step as an estimate of the risk allows. The noise decides all else. doc/robust_smoothing.md derives it. */
+  * as much of the step as an estimate of the risk allows. At the end points that came close to each other move apart along the surface.
+  * The noise decides all else. doc/robust_smoothing.md derives it. */
 struct RobustSmoothingOptions
 {
   /** Of the cloud; sigma 0 leaves it as it is. The weights and the estimate of the risk go by sigma at each place. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The table of the kernels of one instruction set; compiled once for each.
+#include "keep_apart.h"
 #include "nearest.h"
 #include "normal_filter.h"
 #include "normal_vote.h"
@@ -118,6 +119,7 @@ const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA),
                        onBlock<StepControl, averagingWeights>,
                        onBlock<StepControl, averageRisks>,
                        onBlock<StepControl, takeSteps>,
+                       onBlock<KeepApartStep, keepApart>,
                        voteAllPlanes,
                        selectNearCandidates,
                        rankAllKeys};
