@@ -199,6 +199,7 @@ private:
     step.start = start_.empty () ? nullptr : start_.data ()->data ();
     step.max_displacement = options_.max_displacement;
     step.moved = other_.data ()->data ();
+    progress_ = execution_.silent (); // the rounds have told all
     forAllBlocks (kernels ().keep_apart, step, max_k);
     positions_.offset.swap (other_);
   }
