@@ -42,8 +42,11 @@ RunSettings::failWithoutInput ()
 }
 
 NeighborGraph::ConstPtr
-RunSettings::fittingGraph (const core::Positions& cloud) const
+RunSettings::fittingGraph (const core::Positions& cloud, bool may_join) const
 {
+  if (!may_join && !neighbor_graph_->copies ().points.empty ())
+    throw core::Error ("the neighbour graph has one node for points in one place, but here each counts: "
+                       "build the graph without NeighborQuery::distinct, or call setNeighborGraph (nullptr)");
   if (neighbor_graph_->cloudSize () != cloud.size ())
     throw core::Error ("the neighbour graph is of a cloud of " + std::to_string (neighbor_graph_->cloudSize ()) +
                        " points, the input has " + std::to_string (cloud.size ()) +

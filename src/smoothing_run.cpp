@@ -2,8 +2,27 @@
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
 #include <pcl_normal_smoothing/smoothing_run.h>
 
+#include <cmath>
+#include <limits>
+
 namespace pcl_normal_smoothing
 {
+namespace
+{
+const Eigen::Vector3f not_a_normal = Eigen::Vector3f::Constant (std::numeric_limits<float>::quiet_NaN ());
+} // namespace
+
+core::Vectors
+readNodeNormals (const VectorView& given, const core::NeighborGraph& graph, const core::Execution& execution)
+{
+  core::Vectors normals = readNormals (given, graph.order (), execution);
+  const core::Vectors of_copies = readNormals (given, graph.copies ().points, execution);
+  for (std::size_t i = 0; i < of_copies.size (); ++i)
+    if (Eigen::Vector3f& normal = normals[graph.copies ().originals[i]]; std::isnan (normal.x ()))
+      normal = of_copies[i];
+  return normals;
+}
+
 void
 includeCopies (const core::NeighborGraph& graph,
                const std::optional<VectorView>& given,
@@ -12,12 +31,16 @@ includeCopies (const core::NeighborGraph& graph,
 {
   graph.repeatForCopies (displacements);
   graph.repeatForCopies (normals);
-  if (!given)
+  if (!given || graph.copies ().points.empty ())
     return;
-  const core::Vectors of_copies = readNormals (*given, graph.copies ().points);
-  for (std::size_t i = 0; i < of_copies.size (); ++i)
-    if (normals[graph.size () + i].dot (of_copies[i]) < 0)
-      normals[graph.size () + i] *= -1;
+  const core::Vectors own = readNormals (*given, graph.points ());
+  for (std::size_t i = 0; i < own.size (); ++i)
+    if (std::isnan (own[i].x ())) {
+      displacements[i].setZero ();
+      normals[i] = not_a_normal;
+    }
+    else if (i >= graph.size () && normals[i].dot (own[i]) < 0)
+      normals[i] *= -1;
 }
 
 SmoothingRun::SmoothingRun (const core::SmoothingOptions& options,
@@ -44,7 +67,7 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
   cloud_ = {}; // the nodes are a copy: keep the peak of memory low
   const core::Vectors start = core::startOf (nodes);
   if (normals)
-    normals_ = readNormals (*normals, graph->order (), execution_);
+    normals_ = readNodeNormals (*normals, *graph, execution_);
   core::SmoothingOptions options = options_.inUnit (unit_);
   core::prepareSmoothing (nodes, normals_, execution.silent (), graph_, options);
   core::smooth (graph_, options, research, execution, nodes, normals_);

@@ -145,9 +145,10 @@ protected:
   }
 
   /** The graph that was set.
-    * \throw Error where it is of another cloud than \a cloud */
+    * \param[in] may_join it may have joined copies of points
+    * \throw Error where it is of another cloud than \a cloud, or must not have */
   NeighborGraph::ConstPtr
-  fittingGraph (const core::Positions& cloud) const;
+  fittingGraph (const core::Positions& cloud, bool may_join = false) const;
 
   /** \throw core::Error always */
   [[noreturn]] static void

@@ -8,8 +8,13 @@
 
 namespace pcl_normal_smoothing
 {
+/** As readNormals, of the nodes: where that of one is not finite or zero, that of its first copy that has one. */
+core::Vectors
+readNodeNormals (const VectorView& given, const core::NeighborGraph& graph, const core::Execution& execution);
+
 /** Takes what was found of the nodes for their copies too: graph.points ().
-  * \param[in] given the normals of the cloud, where they are not estimated: a copy may be the other side of the surface
+  * \param[in] given the normals of the cloud, where they are not estimated: a copy may be the other side of the surface, and a point
+  * whose own is not finite or zero does not move
   * \param[in,out] displacements, normals of the nodes; on return, of their copies too */
 void
 includeCopies (const core::NeighborGraph& graph,

@@ -65,6 +65,8 @@ NeighborGraph::setCopies (const Copies& copies)
     return;
   const std::vector<std::uint32_t> node_of = nodesOfPoints ();
   auto of_nodes = std::make_shared<Copies> ();
+  of_nodes->points.reserve (copies.points.size ());
+  of_nodes->originals.reserve (copies.points.size ());
   for (std::size_t i = 0; i < copies.points.size (); ++i)
     if (const std::uint32_t node = node_of[copies.originals[i]]; node != no_node) {
       of_nodes->points.push_back (copies.points[i]);

@@ -3,7 +3,7 @@
 
 #include <pcl_normal_smoothing/core/kd_tree.h>
 
-#include <unordered_map>
+#include <numeric>
 #include <unordered_set>
 
 namespace pcl_normal_smoothing
@@ -35,19 +35,19 @@ searchRows (const KdTree& tree,
 
 /** \return the first point in the place of each of \a points, once */
 Elements
-originalsOf (const Elements& points, const Copies& copies)
+originalsOf (const Elements& points, const Copies& copies, std::size_t cloud_size)
 {
-  std::unordered_map<std::uint32_t, std::uint32_t> original_of;
+  if (copies.points.empty ())
+    return points;
+  std::vector<std::uint32_t> original_of (cloud_size);
+  std::iota (original_of.begin (), original_of.end (), 0);
   for (std::size_t i = 0; i < copies.points.size (); ++i)
-    original_of.emplace (copies.points[i], copies.originals[i]);
+    original_of[copies.points[i]] = copies.originals[i];
   std::unordered_set<std::uint32_t> seen;
   Elements originals;
-  for (const std::uint32_t point : points) {
-    const auto found = original_of.find (point);
-    const std::uint32_t original = found == original_of.end () ? point : found->second;
-    if (seen.insert (original).second)
-      originals.push_back (original);
-  }
+  for (const std::uint32_t point : points)
+    if (seen.insert (original_of[point]).second)
+      originals.push_back (original_of[point]);
   return originals;
 }
 } // namespace
@@ -65,7 +65,7 @@ NeighborGraph::buildAround (const Positions& cloud,
     return graph;
   Elements finite = finiteElements (cloud, execution.silent ());
   const Copies copies = query.distinct ? takeOutCopies (cloud, execution.silent (), finite) : Copies ();
-  const auto nodes = std::make_shared<Elements> (originalsOf (start, copies));
+  const auto nodes = std::make_shared<Elements> (originalsOf (start, copies, cloud.size ()));
   graph->order_ = nodes;
   const KdTree tree (gather (cloud, finite, execution.silent ()), finite, execution.silent ());
   std::vector<std::uint32_t> node_of (cloud.size (), no_node); // of a point

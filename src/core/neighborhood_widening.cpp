@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/neighborhood_widening.h>
+
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 
 #include <algorithm>
@@ -50,6 +51,7 @@ Widening
 estimateWidening (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   Widening widening;
+  widening.rounding = estimateRounding (graph, nodes, execution);
   widening.layers = estimateLayers (graph, nodes, execution);
   if (!widening.isNeeded ())
     widening.lines = estimateLines (graph, nodes, execution);

@@ -141,8 +141,8 @@ noiseInLayers (NoiseSample sample, const LayerEstimate& layers)
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution));
   const Widening widening = estimateWidening (graph, nodes, execution);
+  const NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution), widening.roundingAlone ());
   const auto wide = widenNeighborhoods (graph, nodes, widening, execution);
   if (!wide)
     return noise;
@@ -162,7 +162,9 @@ estimateNoise (const NoiseSample& sample, const Widening& widening)
 {
   if (widening.layers.hasLayers ())
     return noiseInLayers (sample, widening.layers);
-  return estimateNoise (sample, !widening.lines.regions.empty () ? Between::LINES : Between::NOTHING);
+  NoiseEstimate noise = estimateNoise (sample, !widening.lines.regions.empty () ? Between::LINES : Between::NOTHING);
+  noise.sigma = widening.rounding.atLeast (noise.sigma);
+  return noise;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

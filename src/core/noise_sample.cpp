@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/kd_tree.h>
 #include <pcl_normal_smoothing/core/node_blocks.h>
 #include <pcl_normal_smoothing/core/noise_sample.h>
@@ -11,7 +12,6 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t noise_sample_size = 4096;
 constexpr std::uint32_t row_length = noise_row_length;
 
 /** The neighbourhoods of the nodes in a sample, one after the other, each filled up with the node itself. */
@@ -20,7 +20,7 @@ using SampleRows = std::vector<std::uint32_t>;
 // Of the way to the last of a row: nearer to each other than that are copies but for rounding, which have one noise.
 constexpr float copy_distance = 1e-3f;
 
-/** The first of a row, itself first, one in a place.
+/** The nearest row_length of a row, the node first, without copies of others among them.
   * \param[in] row ascending by distance
   * \param[out] begin room for row_length, filled up with the node itself */
 template <typename NodeRow>
@@ -34,7 +34,7 @@ copyDistinct (const Positions& nodes, const NodeRow& row, std::uint32_t* begin)
     return std::any_of (begin, end,
                         [&] (std::uint32_t other) { return squaredLength (nodes.difference (node, other)) < least; });
   };
-  for (std::size_t j = 0; j < row.size () && end != begin + row_length; ++j)
+  for (std::size_t j = 0; j <= last; ++j)
     if (!isCopy (row[j]))
       *end++ = row[j];
   std::fill (end, begin + row_length, row[0]);
@@ -123,26 +123,6 @@ residualsOf (const Positions& nodes,
 }
 } // namespace
 
-std::vector<std::uint32_t>
-sampleNodes (const Positions& nodes, std::uint64_t cloud_size, std::size_t sample_size, const Execution& execution)
-{
-  const double share =
-      static_cast<double> (sample_size) / static_cast<double> (std::max<std::uint64_t> (cloud_size, sample_size));
-  const auto limit = static_cast<std::uint32_t> (share * 4294967295.0);
-  constexpr std::size_t part_size = 1 << 16;
-  std::vector<std::vector<std::uint32_t>> parts (nodes.size () / part_size + 1);
-  const auto find = [&] (std::size_t begin, std::size_t end) {
-    for (std::size_t node = begin * part_size; node < std::min (end * part_size, nodes.size ()); ++node)
-      if (hashOf (nodes, node) <= limit)
-        parts[node / part_size].push_back (static_cast<std::uint32_t> (node));
-  };
-  parallelFor (parts.size (), execution.silent (), find, 1);
-  std::vector<std::uint32_t> sample;
-  for (const auto& part : parts)
-    sample.insert (sample.end (), part.begin (), part.end ());
-  return sample;
-}
-
 void
 NoiseSample::join (const NoiseSample& part)
 {
@@ -164,16 +144,10 @@ NoiseSample::dropPlanes ()
   return dropped;
 }
 
-std::vector<std::uint32_t>
-noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size)
-{
-  return sampleNodes (nodes, cloud_size, noise_sample_size, Execution (1));
-}
-
 NoiseSample
 sampleNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const std::vector<std::uint32_t> sample = sampleNodes (nodes, graph.finiteCount (), noise_sample_size, execution);
+  const std::vector<std::uint32_t> sample = sampleNodes (nodes, noise_sample_size, execution);
   // A graph by radius, or of small neighbourhoods, does not show enough.
   const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
   return residualsOf (nodes, sample,

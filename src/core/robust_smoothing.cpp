@@ -197,6 +197,7 @@ private:
     KeepApartStep step {};
     step.nodes = nodeArrays (positions_, normals_);
     step.start = start_.empty () ? nullptr : start_.data ()->data ();
+    step.oriented = options_.oriented;
     step.max_displacement = options_.max_displacement;
     step.moved = other_.data ()->data ();
     progress_ = execution_.silent (); // the rounds have told all

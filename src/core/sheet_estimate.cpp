@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/noise_sample.h>
+#include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/sheet_estimate.h>
 #include <pcl_normal_smoothing/core/sheet_normals.h>
@@ -15,7 +15,6 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t sample_size = 1024;
 constexpr double min_share_beside = 0.1;
 constexpr double min_peak_over_valley = 1.5;
 // The layers of a depth camera: points of one lie in a plane, but for this part of the step to the next; and that one lies so much
@@ -74,12 +73,6 @@ SheetSample::join (const SheetSample& part)
   sides.insert (sides.end (), part.sides.begin (), part.sides.end ());
 }
 
-std::vector<std::uint32_t>
-sheetSampleNodes (const Positions& nodes, std::uint64_t cloud_size, const Execution& execution)
-{
-  return sampleNodes (nodes, cloud_size, sample_size, execution);
-}
-
 SheetSample
 sampleSheets (const NeighborGraph& graph,
               const Positions& positions,
@@ -136,7 +129,7 @@ estimateSheets (const NeighborGraph& graph, const Positions& positions, float di
 {
   if (std::isinf (distance))
     return {};
-  const std::vector<std::uint32_t> sample = sheetSampleNodes (positions, graph.finiteCount (), execution);
+  const std::vector<std::uint32_t> sample = sampleNodes (positions, sheet_sample_size, execution);
   return estimateSheets (sampleSheets (graph, positions, sample, distance, execution), distance);
 }
 } // namespace core

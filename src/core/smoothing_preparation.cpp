@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/neighborhood_widening.h>
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
 
@@ -118,7 +119,7 @@ public:
     if (const auto wide = widenNeighborhoods (*mixed_, positions_, widening_, execution_))
       graph_ = mixed_ = wide;
     else
-      widening_ = {};
+      widening_ = widening_.roundingAlone ();
     return widening_.isNeeded ();
   }
 
@@ -150,7 +151,7 @@ protected:
   separatedNoise () override
   {
     const std::size_t size = graph_->finiteCount ();
-    const std::vector<std::uint32_t> sample = noiseSampleNodes (positions_, size);
+    const std::vector<std::uint32_t> sample = sampleNodes (positions_, noise_sample_size, execution_);
     return estimateNoise (sampleNoise (*graph_, positions_, sample, size, execution_), widening_);
   }
 
@@ -161,12 +162,12 @@ protected:
   }
 
 private:
-  /** From one layer to the next; 0 without layers. */
+  /** From one layer to the next, or of coordinates; 0 where there is none. */
   float
   largestStep () const
   {
     const std::vector<float> steps = widening_.layers.steps.values ();
-    return steps.empty () ? 0 : *std::max_element (steps.begin (), steps.end ());
+    return std::max (widening_.rounding.step, steps.empty () ? 0 : *std::max_element (steps.begin (), steps.end ()));
   }
 
   const Positions& positions_;

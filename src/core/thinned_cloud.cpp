@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/noise_sample.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 
 #include <utility>

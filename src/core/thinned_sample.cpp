@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/noise_sample.h>
+#include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 #include <pcl_normal_smoothing/core/thinned_sample.h>
 
@@ -30,7 +30,7 @@ std::vector<Ways>
 quickSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   std::vector<Ways> ways;
-  for (const std::uint32_t node : sampleNodes (nodes, nodes.size (), quick_sample_size, execution))
+  for (const std::uint32_t node : sampleNodes (nodes, quick_sample_size, execution))
     ways.push_back (waysTo (nodes, node, graph.row (node)));
   return ways;
 }
@@ -39,7 +39,7 @@ ThinnedSample::ThinnedSample (const NeighborGraph& graph, const Positions& nodes
 : graph_ (graph)
 , nodes_ (nodes)
 , execution_ (execution)
-, nodes_of_sample_ (sampleNodes (nodes, nodes.size (), sample_size, execution))
+, nodes_of_sample_ (sampleNodes (nodes, sample_size, execution))
 , end_ (ThinnedCloud::mostHalvings (nodes.size (), least_size) + 1)
 {}
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/noise_estimate.h>
 #include <pcl_normal_smoothing/core/sheet_estimate.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
@@ -33,7 +34,7 @@ class ThinnedNoise
 {
 public:
   ThinnedNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
-  : graph_ (graph), nodes_ (nodes), execution_ (execution), sample_ (noiseSampleNodes (nodes, nodes.size ()))
+  : graph_ (graph), nodes_ (nodes), execution_ (execution), sample_ (sampleNodes (nodes, noise_sample_size, execution))
   {}
 
   NoiseSample

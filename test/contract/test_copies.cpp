@@ -2,6 +2,7 @@
 #include "clouds.h"
 #include "searches.h"
 
+#include <pcl_normal_smoothing/bilateral_normal_filter.h>
 #include <pcl_normal_smoothing/normal_smoothing.h>
 #include <pcl_normal_smoothing/surface_noise_estimation.h>
 
@@ -130,6 +131,46 @@ TEST_F (CopiesTest, OnlyThoseThatAreIndexedMove)
   }
 }
 
+TEST_F (CopiesTest, WithANormalServeThoseWithoutThatStay)
+{
+  const auto set = [] (NormalSmoothing<pcl::PointNormal>& smoothing) {
+    smoothing.setNormalSource (NormalSource::INPUT);
+    setNoise (smoothing);
+  };
+  const Cloud alone = smoothed (single_, set);
+  for (std::size_t i = 0; i < single_->size (); ++i)
+    (*joined_)[i].getNormalVector3fMap ().setZero ();
+  const Cloud joined = smoothed (joined_, set);
+  for (std::size_t i = 0; i < joined.size (); ++i) {
+    const Cloud& expected = i < single_->size () ? *single_ : alone;
+    ASSERT_EQ (joined[i].getVector3fMap (), expected[i % single_->size ()].getVector3fMap ()) << "point " << i;
+  }
+}
+
+TEST_F (CopiesTest, BesidePointsThatAreNotFinite)
+{
+  const Cloud alone = smoothed (single_, setNoise);
+  for (std::size_t i = 0; i < joined_->size (); i += 7)
+    (*joined_)[i].y = nan_float;
+  const Cloud joined = smoothed (joined_, setNoise);
+  for (std::size_t i = 0; i < joined.size (); ++i)
+    if (i % 7 != 0)
+      ASSERT_EQ (joined[i].getVector3fMap (), alone[i % single_->size ()].getVector3fMap ()) << "point " << i;
+    else
+      ASSERT_TRUE (std::isnan (joined[i].y));
+}
+
+TEST_F (CopiesTest, AreRefusedInAGraphWhereEachPointCounts)
+{
+  const auto positions = readPositions (positionsOf (*joined_));
+  BilateralNormalFilter<pcl::PointNormal> filter;
+  filter.setInputCloud (joined_);
+  filter.setNeighborGraph (NeighborGraph::build (positions, {16, 1, true}, core::Execution (2)));
+  Cloud output;
+  filter.filter (output);
+  EXPECT_NE (filter.getErrorMessage ().find ("one place"), std::string::npos) << filter.getErrorMessage ();
+}
+
 TEST_F (CopiesTest, HideNoNoise)
 {
   Cloud::Ptr rounded = pcl::make_shared<Cloud> (*single_); // joined with itself in another file format
@@ -140,7 +181,6 @@ TEST_F (CopiesTest, HideNoNoise)
   SurfaceNoiseEstimation<pcl::PointNormal> noise;
   for (const Cloud::Ptr& cloud : {single_, joined_, rounded}) {
     noise.setInputCloud (cloud);
-    noise.setKSearch (32);
     ASSERT_TRUE (noise.compute ()) << noise.getErrorMessage ();
     EXPECT_NEAR (noise.getSigma (), sigma, 0.15 * sigma);
   }

@@ -32,7 +32,7 @@ protected:
   Vectors
   keptApart ()
   {
-    const auto graph = NeighborGraph::build (asPositions (points_), {12}, Execution (2));
+    const auto graph = NeighborGraph::build (asPositions (points_), {12, radius_}, Execution (2));
     Positions nodes = gather (asPositions (points_), graph->order ());
     nodes.offset = byNode (offsets_, *graph);
     const Vectors normals = byNode (normals_, *graph), start = byNode (start_, *graph);
@@ -40,6 +40,7 @@ protected:
     KeepApartStep step {};
     step.nodes = nodeArrays (nodes, normals);
     step.start = start.data ()->data ();
+    step.oriented = oriented_;
     step.max_displacement = max_displacement_;
     step.moved = moved.data ()->data ();
     forEachBlock (*graph, Execution (2), [&] (const BlockRows& rows) { kernels ().keep_apart (step, rows); });
@@ -54,6 +55,8 @@ protected:
   }
 
   Vectors points_, start_, offsets_, normals_;
+  bool oriented_ = false;
+  float radius_ = std::numeric_limits<float>::infinity ();
   float max_displacement_ = std::numeric_limits<float>::infinity ();
 };
 
@@ -94,6 +97,33 @@ TEST_F (KeepApartTest, NothingMovesBesideAnEdgeOrWithoutNormal)
     EXPECT_EQ (kept[middle], offsets_[middle]);
     EXPECT_EQ (kept[beside], offsets_[beside]);
   }
+}
+
+TEST_F (KeepApartTest, OfOppositeNormalsOnlyWhereTheyMeanTheSameSide)
+{
+  offsets_[middle] = 0.9f * way (points_, offsets_);
+  normals_[beside] *= -1;
+  EXPECT_NE (keptApart ()[middle], offsets_[middle]);
+  oriented_ = true;
+  EXPECT_EQ (keptApart ()[middle], offsets_[middle]);
+}
+
+TEST_F (KeepApartTest, WhatLiesAboveIsInNoDirection)
+{
+  offsets_[middle] = way (points_, offsets_) + Eigen::Vector3f (0.001f, 0, 0.2f);
+  EXPECT_EQ (keptApart ()[middle], offsets_[middle]);
+}
+
+TEST_F (KeepApartTest, RowsOfFewPointsDependOnNoOthers)
+{
+  radius_ = 1.1f; // the four beside
+  offsets_[middle] = 0.9f * way (points_, offsets_);
+  const Eigen::Vector3f expected = keptApart ()[middle];
+  EXPECT_NE (expected, offsets_[middle]);
+  for (std::size_t i = 0; i < points_.size (); ++i)
+    if ((points_[i] - points_[middle]).norm () > 2.5f) // crowded: longer rows in the blocks
+      points_[i] = points_[0] + 0.01f * points_[i];
+  EXPECT_EQ (keptApart ()[middle], expected);
 }
 
 TEST_F (KeepApartTest, NotFartherFromTheStartThanTheCap)

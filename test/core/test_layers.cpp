@@ -179,7 +179,7 @@ TEST (LayersTest, GrowWhereTheStepsAreWide)
 TEST (LayersTest, WideRowsBeginWithTheNodeAndHoldSeveralLayers)
 {
   const Searched cloud (inSteps (tilted, 0.04));
-  const auto wide = widenNeighborhoods (*cloud.graph, cloud.nodes, {layersOf (cloud), {}, {}}, Execution (2));
+  const auto wide = widenNeighborhoods (*cloud.graph, cloud.nodes, {layersOf (cloud), {}, {}, {}}, Execution (2));
   ASSERT_TRUE (wide);
   std::size_t in_one = 0, in_one_before = 0;
   for (std::uint32_t node = 0; node < wide->size (); ++node) {
@@ -200,7 +200,7 @@ TEST (LayersTest, RowsWithinARadiusStay)
   const Vectors points = inSteps (tilted, 0.02);
   const LayerEstimate layers = layersOf (Searched (points));
   const Searched cloud (points, {0, 3.5f * spacing});
-  EXPECT_FALSE (widenNeighborhoods (*cloud.graph, cloud.nodes, {layers, {}, {}}, Execution (2)));
+  EXPECT_FALSE (widenNeighborhoods (*cloud.graph, cloud.nodes, {layers, {}, {}, {}}, Execution (2)));
 }
 
 TEST (LayersTest, ThreadsDoNotMatter)

@@ -2,6 +2,7 @@
 #include "graph_rows.h"
 #include "shapes.h"
 
+#include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 #include <pcl_normal_smoothing/core/sheet_estimate.h>
 
@@ -40,8 +41,8 @@ SheetSample
 sampleOf (const Searched& cloud, float distance, unsigned threads = 2)
 {
   const Execution execution (threads);
-  return sampleSheets (*cloud.graph, cloud.nodes, sheetSampleNodes (cloud.nodes, cloud.nodes.size (), execution),
-                       distance, execution);
+  return sampleSheets (*cloud.graph, cloud.nodes, sampleNodes (cloud.nodes, sheet_sample_size, execution), distance,
+                       execution);
 }
 
 TEST (SheetEstimateTest, SeesHowFarApartSheetsAreAndTheirNoise)
@@ -116,7 +117,7 @@ TEST (SheetEstimateTest, PartsMakeTheWhole)
   const float distance = .8f * spacing;
   const Execution execution (2);
   std::vector<std::uint32_t> parts[2];
-  for (const std::uint32_t node : sheetSampleNodes (cloud.nodes, cloud.nodes.size (), execution))
+  for (const std::uint32_t node : sampleNodes (cloud.nodes, sheet_sample_size, execution))
     parts[node % 3 == 0].push_back (node);
   SheetSample joined = sampleSheets (*cloud.graph, cloud.nodes, parts[0], distance, execution);
   joined.join (sampleSheets (*cloud.graph, cloud.nodes, parts[1], distance, execution));

@@ -77,6 +77,20 @@ TEST_F (Tiles, CloseSheetsAreSeparatedAlike)
   EXPECT_NE (contentOf (path ("separated.pcd")), contentOf (path ("mixed.pcd"))) << "the test is of no use";
 }
 
+TEST_F (Tiles, CopiesInPartAndRowsOfFewPoints)
+{
+  Cloud cloud = wavyCloud (1500);
+  for (std::size_t i = 0; i < 600; ++i) // some once more, some many times, some but for rounding
+    cloud.insert (cloud.end (), i % 50 == 0 ? 40 : 1, cloud[i * 2] * (i % 3 == 0 ? 1 + 1e-7 : 1));
+  saveCloud (cloud, "cloud.pcd");
+  for (const char* options : {"", "-preset fast -save_normals 1", "-preset fast -k 16 -max_radius 0.28",
+                              "-preset fast -noise_sigma 0.05 -max_radius 0.32"})
+    for (const char* size : {"500", "100"})
+      expectSame ("cloud.pcd", std::string ("-max_points ") + size, options);
+  succeed ("pcl_normal_smoothing cloud.pcd normals.pcd -save_normals 1");
+  expectSame ("normals.pcd", "-max_points 300", "-normals input -save_normals 1");
+}
+
 TEST_F (Tiles, RowsOfAFewPointsAreThoseOfAll)
 {
   saveCloud (closeSheets (), "cloud.pcd");

@@ -4,6 +4,7 @@
 #include "record_file.h"
 
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <pcl_normal_smoothing/smoothing_run.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,13 +73,11 @@ Region::load (const std::vector<Place>& places, const IsWanted& is_wanted, const
   enough_ = query_.k;
   bool proven = false;
   while (!proven) {
-    const std::size_t loaded = loaded_.size ();
     graph_ = searched_ = nullptr;
     readLoaded ();
     search (is_wanted, depth);
     proven = !loadAround (findDoubts (neighborhoods (), wanted_, depth, execution_));
-    if (loaded_.size () == loaded)
-      enough_ *= 2; // some are copies of others
+    enough_ *= 2; // many may be copies of others
   }
 }
 
@@ -227,7 +226,7 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
               : core::NeighborGraph::build (positions, query_, execution_);
   nodes_ = core::gather (positions, searched_->order (), execution_);
   if (record.normalBytes () > 0)
-    normals_ = readNormals ({record.normals (), records_.data (), size ()}, searched_->order ());
+    normals_ = readNodeNormals ({record.normals (), records_.data (), size ()}, *searched_, execution_);
   graph_ = searched_;
   if (depth.separation >= 0)
     graph_ = core::separateSheets (searched_, nodes_, core::SmoothingPreparation::separation (plan_.options, normals_),

@@ -4,6 +4,7 @@
 #include "region.h"
 #include "tool.h"
 
+#include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace tools
 namespace
 {
 constexpr double share_of_planes = .1;
+constexpr double share_of_spacing = .2;     // a step of the coordinates that makes noise
 constexpr float ratio_of_wide_noise = .36f; // of sigma to the spacing, as in core/wide_noise.cpp
 
 /** A cloud that is seen in tiles. */
@@ -26,8 +28,11 @@ class TiledCloud : public core::SmoothingPreparation
 {
 public:
   /** \param[in,out] plan kept, as everything else, while this is used */
-  TiledCloud (Plan& plan, const std::vector<SamplePoint>& sample, const core::Execution& execution)
-  : plan_ (plan), sample_ (sample), execution_ (execution)
+  TiledCloud (Plan& plan,
+              const std::vector<SamplePoint>& sample,
+              std::uint32_t sheet_limit,
+              const core::Execution& execution)
+  : plan_ (plan), sample_ (sample), sheet_limit_ (sheet_limit), execution_ (execution)
   {}
 
   /** Points often lie in planes exactly, or the noise is wide. Known after complete. */
@@ -46,7 +51,11 @@ protected:
     core::NoiseSample sample = sampleOf (query, {0, -1});
     const core::NoiseEstimate noise = core::estimateNoise (sample);
     const auto all = static_cast<double> (sample.of_nodes.size ());
-    may_need_widening_ = noise.sigma > ratio_of_wide_noise * noise.spacing ||
+    std::vector<Eigen::Vector3d> places;
+    for (const core::NoiseSample::Residuals& residuals : sample.of_nodes)
+      places.push_back (residuals.place.cast<double> ());
+    may_need_widening_ = core::coordinateStep (places) > share_of_spacing * noise.spacing ||
+                         noise.sigma > ratio_of_wide_noise * noise.spacing ||
                          static_cast<double> (sample.dropPlanes ()) > share_of_planes * all;
     return noise;
   }
@@ -59,7 +68,7 @@ protected:
     core::SheetSample all;
     forEachTile (plan_.query, {core::sheet_sample_depth, -1}, [&] (Region& region, const Nodes& wanted) {
       Nodes sample;
-      const auto in_sample = core::sheetSampleNodes (region.nodes (), plan_.points, execution_);
+      const auto in_sample = core::nodesUpTo (sheet_limit_, region.nodes (), execution_);
       std::set_intersection (in_sample.begin (), in_sample.end (), wanted.begin (), wanted.end (),
                              std::back_inserter (sample));
       all.join (core::sampleSheets (*region.graph (), region.nodes (), sample, distance, execution_));
@@ -139,6 +148,7 @@ private:
 
   Plan& plan_;
   const std::vector<SamplePoint>& sample_;
+  std::uint32_t sheet_limit_;
   const core::Execution& execution_;
   int separation_depth_ = -1;
   bool may_need_widening_ = false;
@@ -146,18 +156,22 @@ private:
 } // namespace
 
 void
-prepare (Plan& plan, const std::vector<SamplePoint>& sample, const core::Execution& execution)
+prepare (Plan& plan,
+         const std::vector<SamplePoint>& sample,
+         std::uint32_t sheet_limit,
+         const core::Execution& execution)
 {
-  TiledCloud cloud (plan, sample, execution);
+  TiledCloud cloud (plan, sample, sheet_limit, execution);
   cloud.complete (plan.options);
   // Wider neighbourhoods might need all of the cloud for one tile.
   const bool widens = std::exchange (plan.options.widen_neighborhoods, false) && plan.options.robust;
   if (widens && cloud.mayNeedWidening ())
-    note ("neighbourhoods may be too narrow to show the surface, for many points lie in planes with those around them, "
-          "exactly (on "
-          "the lines of a lidar, or in the steps of a depth camera), or the noise is wide: pcl_normal_smoothing might "
-          "widen them; "
-          "the tiles will be as with its -widen_neighborhoods 0");
+    note (
+        "neighbourhoods may be too narrow to show the surface, for many points lie in planes with those around them, "
+        "exactly (on "
+        "the lines of a lidar, or in the steps of a depth camera), the coordinates are rounded, or the noise is wide: "
+        "pcl_normal_smoothing might widen them; "
+        "the tiles will be as with its -widen_neighborhoods 0");
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

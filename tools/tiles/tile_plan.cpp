@@ -10,6 +10,9 @@
 #include "tool_error.h"
 
 #include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/core/hash_sample.h>
+#include <pcl_normal_smoothing/core/noise_sample.h>
+#include <pcl_normal_smoothing/core/sheet_estimate.h>
 
 #include <algorithm>
 #include <array>
@@ -56,7 +59,7 @@ public:
     look ();
     distribute ();
     writeTiles ();
-    prepare (plan_, sample_, execution_);
+    prepare (plan_, sample_, hashes_.limitFor (core::sheet_sample_size), execution_);
     plan_.sources = sources_.list ();
     plan_.parameters = parameters (plan_.options.inUnit (1 / plan_.unit));
     removeOnInterruption (plan_.folder + "/cells.bin");
@@ -173,6 +176,7 @@ private:
         if (normals_)
           plan_.record.normals ().set (bytes, 0, normals_->get (points, i));
         heaps_->add (partition.partOf (place), record);
+        hashes_.add (core::hashOf (read, i));
         ++plan_.points;
       }
     });
@@ -188,7 +192,7 @@ private:
     const std::uint64_t most_cells = std::max<std::uint64_t> (request_.memory / 8 / (3 * sizeof (Cell)), 1024);
     const std::uint64_t cell_points = std::max ({std::min<std::uint64_t> (maxPoints () / 256, 256),
                                                  2 * std::uint64_t (plan_.query.k) + 1, plan_.points / most_cells});
-    TileWriter writer (plan_, maxPoints (), cell_points, execution_);
+    TileWriter writer (plan_, maxPoints (), cell_points, hashes_.limitFor (core::noise_sample_size), execution_);
     // A heap that is larger than the sample made expect comes in pieces.
     const std::uint64_t piece = std::max<std::uint64_t> (request_.memory / 3 / (2 * plan_.record.bytes () + 64), 4096);
     for (std::size_t heap = 0; heap < heap_count_; ++heap) {
@@ -219,6 +223,7 @@ private:
   std::vector<Eigen::Vector3d> partition_sample_;
   std::unique_ptr<SpillFile> heaps_;
   std::size_t heap_count_ = 0;
+  core::SmallestHashes hashes_ {core::noise_sample_size};
   std::vector<SamplePoint> sample_;
 };
 } // namespace

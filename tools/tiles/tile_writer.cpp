@@ -3,6 +3,7 @@
 
 #include "checksum.h"
 
+#include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/select_nth.h>
 
 #include <algorithm>
@@ -12,8 +13,16 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-TileWriter::TileWriter (Plan& plan, std::uint64_t max_points, std::size_t cell_points, const core::Execution& execution)
-: plan_ (plan), max_points_ (max_points), cell_points_ (cell_points), execution_ (execution)
+TileWriter::TileWriter (Plan& plan,
+                        std::uint64_t max_points,
+                        std::size_t cell_points,
+                        std::uint32_t sample_limit,
+                        const core::Execution& execution)
+: plan_ (plan)
+, max_points_ (max_points)
+, cell_points_ (cell_points)
+, sample_limit_ (sample_limit)
+, execution_ (execution)
 {}
 
 void
@@ -28,7 +37,8 @@ TileWriter::add (const std::vector<std::uint8_t>& records)
       points_[i] = {view.layout.get (view.data, i), static_cast<std::uint32_t> (i)};
   });
   in_sample_.assign (view.size, false);
-  for (const std::uint32_t i : core::noiseSampleNodes (readPositions (view, plan_.unit, execution_), plan_.points))
+  for (const std::uint32_t i :
+       core::nodesUpTo (sample_limit_, readPositions (view, plan_.unit, execution_), execution_))
     in_sample_[i] = true;
   std::vector<Range> tiles;
   split ({0, view.size}, max_points_, tiles);

@@ -21,8 +21,13 @@ class TileWriter
 public:
   /** \param[in,out] plan complete but for tiles and cells; used as long as this lives
     * \param[in] max_points of a tile
-    * \param[in] cell_points most of a cell */
-  TileWriter (Plan& plan, std::uint64_t max_points, std::size_t cell_points, const core::Execution& execution);
+    * \param[in] cell_points most of a cell
+    * \param[in] sample_limit of the hashes of the points in the sample */
+  TileWriter (Plan& plan,
+              std::uint64_t max_points,
+              std::size_t cell_points,
+              std::uint32_t sample_limit,
+              const core::Execution& execution);
 
   /** \param[in] records of plan.record, in the order of their numbers: one tile's, or those of several \throw FileError */
   void
@@ -67,6 +72,7 @@ private:
   Plan& plan_;
   std::uint64_t max_points_;
   std::size_t cell_points_;
+  std::uint32_t sample_limit_;
   const core::Execution& execution_;
   std::vector<Point> points_;
   std::vector<bool> in_sample_; // records

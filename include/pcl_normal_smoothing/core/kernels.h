@@ -134,6 +134,7 @@ struct KeepApartStep
 {
   NodeArrays nodes;
   const float* start; // offsets before the first round; null where all are zero
+  bool oriented;
   float max_displacement;
   float* moved; // out: offsets
 };

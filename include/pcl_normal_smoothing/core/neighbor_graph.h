@@ -12,7 +12,7 @@ namespace core
 {
 /** The neighbourhoods of all finite points of a cloud, searched once and shared by all stages.
   *
-  * Its nodes are the cloud's finite points in an order that follows space, so that a kernel that walks over the nodes
+  * Its nodes are the cloud's finite points, or where the query is for distinct ones the places of these, in an order that follows space, so that a kernel that walks over the nodes
   * finds its neighbours in the cache whatever the cloud's order. A row begins with the point itself; its neighbours
   * follow by (squared distance, index in the cloud), and a tie at the k-th place goes to the lowest index. */
 class NeighborGraph
@@ -117,7 +117,7 @@ public:
     return *order_;
   }
 
-  /** Points that lie where a node lies, where the query joins them; copies ().originals are nodes. */
+  /** Points that lie where a node lies, and are none themselves; originals are nodes. */
   const Copies&
   copies () const
   {
@@ -132,7 +132,7 @@ public:
   void
   repeatForCopies (Vectors& of_nodes) const;
 
-  /** Number of finite points of the cloud: nodes and their copies. */
+  /** Number of points that are nodes or copies of them: of a whole cloud, all that are finite. */
   std::size_t
   finiteCount () const
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/coordinate_rounding.h>
 #include <pcl_normal_smoothing/core/layer_estimate.h>
 #include <pcl_normal_smoothing/core/line_estimate.h>
 #include <pcl_normal_smoothing/core/wide_noise.h>
@@ -18,6 +19,15 @@ struct Widening
   RegionalField lines;
   /** See estimateWideNoise; where there are layers or lines, none is looked for. */
   RegionalField wide_noise;
+  /** Hides noise likewise, but calls for no wider neighbourhoods. */
+  CoordinateRounding rounding;
+
+  /** Nothing that calls for wider neighbourhoods. */
+  Widening
+  roundingAlone () const
+  {
+    return {{}, {}, {}, rounding};
+  }
 
   bool
   isNeeded () const

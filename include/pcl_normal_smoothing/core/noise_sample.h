@@ -9,6 +9,9 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
+/** Places of which the sample of the noise is. */
+constexpr std::size_t noise_sample_size = 4096;
+
 /** Length of the rows that are looked at, or of the whole cloud where that has fewer points. */
 constexpr std::uint32_t noise_row_length = 16;
 
@@ -18,8 +21,8 @@ struct NoiseSample
   /** What quadrics leave about one point. */
   struct Residuals
   {
-    /** Variances, through the 8, 12 and 16 nearest points, or all where there are fewer; NaN where these are fewer than seven or
-      * all in one place. */
+    /** Variances, through the 8, 12 and 16 nearest points, or all where there are fewer, as where some of the 16 are copies of others
+      * but for rounding; NaN where these are fewer than seven or all in one place. */
     std::array<float, 3> variances;
     /** Of the eighth; 0 where there are fewer. */
     float distance;
@@ -37,16 +40,6 @@ struct NoiseSample
   std::size_t
   dropPlanes ();
 };
-
-/** Nodes of a cloud, or of a part of it, that are in a sample of about \a sample_size: those with the smallest hashes of their
-  * coordinates, so that a smaller sample is part of a larger one.
-  * \param[in] cloud_size finite points of the whole cloud */
-std::vector<std::uint32_t>
-sampleNodes (const Positions& nodes, std::uint64_t cloud_size, std::size_t sample_size, const Execution& execution);
-
-/** Those in the sample of the noise, about 4,096. */
-std::vector<std::uint32_t>
-noiseSampleNodes (const Positions& nodes, std::uint64_t cloud_size);
 
 /** That of a whole cloud.
   * \param[in] graph where a row is shorter than noise_row_length, the neighbours are searched again */

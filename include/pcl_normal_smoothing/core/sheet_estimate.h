@@ -31,10 +31,8 @@ struct SheetSample
   join (const SheetSample& part);
 };
 
-/** Which nodes of a cloud, or of a part of it, are in the sample: about 1,024, chosen by a hash of the coordinates.
-  * \param[in] cloud_size finite points of the whole cloud */
-std::vector<std::uint32_t>
-sheetSampleNodes (const Positions& nodes, std::uint64_t cloud_size, const Execution& execution);
+/** Places of which the sample is. */
+constexpr std::size_t sheet_sample_size = 1024;
 
 /** \param[in] sample nodes of the graph; what it tells depends on the rows of nodes up to sheet_sample_depth hops off
   * \param[in] distance that a neighbour on another sheet exceeds */

@@ -15,7 +15,7 @@ SearchSettings<PointT>::obtainGraph (const std::string& class_name,
 {
   if (neighbor_graph_) {
     checkPointCount (class_name, neighbor_graph_->finiteCount (), 0);
-    return fittingGraph (positions);
+    return fittingGraph (positions, joinsCopies ());
   }
   const core::NeighborQuery query = makeQuery ();
   const NeighborGraph::ConstPtr graph =

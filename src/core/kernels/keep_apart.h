@@ -2,6 +2,7 @@
 #pragma once
 
 #include "local_points.h"
+#include "normal_filter.h"
 
 namespace pcl_normal_smoothing
 {
@@ -15,27 +16,31 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 LANES_INLINE void
 keepApart (const KeepApartStep& step, const BlockRows& rows, int first)
 {
-  constexpr std::size_t max_near = 16, eighth = 7, beside = 5;
+  constexpr std::size_t max_near = 16, nearest = 8, beside = 5;
   const std::uint32_t* own = rows.neighbors + first;
   const Points now (step.nodes.base, step.nodes.offset, own), before (step.nodes.base, step.start, own);
   const Lanes3 normal = load3 (step.nodes.normals, own);
   const std::size_t count = rows.length < max_near ? rows.length : max_near;
-  const Lanes3 to_eighth = before.difference (own + 16 * (eighth < count ? eighth : count - 1));
-  const Lanes spacing = 0.62665707f * squareRoot (dot (to_eighth, to_eighth)); // sqrt (pi / 8)
+  Lanes sq_reach = {}; // of the eighth, or the last of a shorter row
+  for (std::size_t j = 1; j < (count < nearest ? count : nearest); ++j) {
+    const Lanes3 way = before.difference (own + 16 * j);
+    sq_reach = isOther (own + 16 * j, own) ? dot (way, way) : sq_reach;
+  }
+  const Lanes spacing = 0.62665707f * squareRoot (sq_reach); // sqrt (pi / 8)
   Mask may_move = normal.x == normal.x;
   Lanes3 sum = {};
   for (std::size_t j = 1; j < count; ++j) {
     const std::uint32_t* index = own + 16 * j;
     if (j <= beside) {
       const Lanes cosine = dot (normal, load3 (step.nodes.normals, index));
-      may_move = may_move & (cosine * cosine > 0.25f);
+      may_move = may_move & (similarity (cosine, step.oriented) > 0.5f);
     }
     const Lanes3 way = now.difference (index), way_before = before.difference (index);
     const Lanes wanted = minimum (squareRoot (dot (way_before, way_before)), 0.5f * spacing);
     const Lanes missing = maximum (wanted - squareRoot (dot (way, way)), splat (0));
     const Lanes3 along = way - dot (way, normal) * normal;
-    const Lanes sq_length = dot (along, along);
-    sum = sum - (sq_length > 0 ? 0.5f * missing / squareRoot (sq_length) : splat (0)) * along;
+    const Lanes sq_length = dot (along, along); // a point above or below lies in no direction along the surface
+    sum = sum - (sq_length > 0.01f * dot (way, way) ? 0.5f * missing / squareRoot (sq_length) : splat (0)) * along;
   }
   const Lanes length = squareRoot (dot (sum, sum)), limit = 0.25f * spacing;
   may_move = may_move & (length > 0);
