@@ -65,6 +65,9 @@ TEST (CoordinateRoundingTest, ThereIsNoneWhereOneAxisHasNone)
   for (std::size_t i = 0; i < heights.size (); ++i)
     heights[i].z () = static_cast<float> (gaussianNoise (3, i));
   EXPECT_EQ (coordinateStep (placesOf (heights)), 0);
+  for (std::size_t i = 0; i < heights.size (); ++i) // terraces
+    heights[i].z () = i % 3 == 0 ? 1 : i % 3 == 1 ? 2 : 3.5f;
+  EXPECT_EQ (coordinateStep (placesOf (heights)), 0);
   EXPECT_EQ (coordinateStep ({}), 0);
   EXPECT_EQ (coordinateStep (placesOf (Vectors (600, Eigen::Vector3f (1, 2, 3)))), 0);
 }
@@ -79,12 +82,66 @@ TEST (CoordinateRoundingTest, CentresOfVoxelsBecomeASurface)
     }
 }
 
+/** The mean distance to the faces of a box, its edges left out. */
+double
+errorOnFaces (const Vectors& points, const Vectors& places, float edge)
+{
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < points.size (); ++i) {
+    const Eigen::Array3f to_face = places[i].array ().abs ().min ((places[i].array () - edge).abs ());
+    Eigen::Index axis;
+    const float nearest = to_face.minCoeff (&axis);
+    if ((to_face > 4).count () < 2 || nearest > 2)
+      continue;
+    const float place = points[i][axis];
+    sum += std::min (std::abs (place), std::abs (place - edge));
+    ++count;
+  }
+  return sum / count;
+}
+
 TEST (CoordinateRoundingTest, ThickShellsOfVoxelsAreNoSheets)
 {
-  const float voxel = 0.02f;
-  const Vectors points = rounded (withNoise (sphere (300000, 1).points, 0.4 * voxel, 8), voxel);
+  constexpr float edge = 50.5f; // not where voxels have their centres
+  const Shape box = cube (200, edge);
+  Vectors points = box.points;
+  for (std::size_t i = 0; i < points.size (); ++i)
+    points[i] += (0.25f + 0.5f * static_cast<float> (gaussianNoise (8, i))) * box.normals[i];
+  points = rounded (points, 1);
   const Smoothed result = smoothed (asPositions (points), 32, wideningOptions (false));
-  EXPECT_LT (errorOf (sum (points, result.displacements)), 0.5 * errorOf (points));
+  EXPECT_LT (errorOnFaces (sum (points, result.displacements), points, edge),
+             0.6 * errorOnFaces (points, points, edge));
+}
+
+/** A box whose top rises: most of it shows no noise. */
+Vectors
+wedge (double slope)
+{
+  Vectors points;
+  const Vectors face = planeGrid (161, 0.25f).points;
+  for (const Eigen::Vector3f& p : face) {
+    const auto top = static_cast<float> (20 + slope * p.x ());
+    points.emplace_back (p.x (), p.y (), 0.0f);
+    points.emplace_back (p.x (), p.y (), top);
+    for (const float side : {0.0f, 40.0f}) {
+      if (p.y () <= top)
+        points.emplace_back (p.x (), side, p.y ());
+      if (p.y () <= 20 + slope * side)
+        points.emplace_back (side, p.x (), p.y ());
+    }
+  }
+  return rounded (points, 1);
+}
+
+TEST (CoordinateRoundingTest, FlatPartsAStepApartAreSeen)
+{
+  for (const double slope : {0.0, 0.05, 0.1}) {
+    const Searched cloud (wedge (slope));
+    const CoordinateRounding rounding = estimateRounding (*cloud.graph, cloud.nodes, Execution (2));
+    EXPECT_NEAR (rounding.step, 1, 1e-6);
+    EXPECT_EQ (rounding.is_seen, slope > 0) << slope;
+  }
 }
 
 TEST (CoordinateRoundingTest, CleanShapesOnALatticeStay)
