@@ -136,6 +136,7 @@ MUTATIONS = [
     ("wide noise: it is not seen", CORE + "wide_noise.cpp", "if (!(ratio > read_surely))", "if (true)"),
     ("wide noise: close sheets are some", CORE + "wide_noise.cpp", "if (halvings == 0 || showsSheets", "if (halvings == 0 || false && showsSheets"),
     ("wide noise: leaves are a surface", CORE + "wide_noise.cpp", "return ratio < read_surely ? most : 0;", "return most;"),
+    ("nobody can cancel while the noise is estimated", "src/smoothing_run.cpp", "execution.still ()", "execution.silent ()"),
     ("rounding: no step is found", CORE + "coordinate_rounding.cpp", "return std::isfinite (least) ? least : 0;", "return 0;"),
     ("rounding: an axis without a step does not count", CORE + "coordinate_rounding.cpp", "    if (std::abs (number - first - steps * step) > max_rounding * step)\n      return 0;\n", ""),
     ("rounding: of clean shapes it makes noise", CORE + "coordinate_rounding.cpp", "stepped > min_share_stepped * off", "true"),

@@ -83,12 +83,12 @@ coordinateStep (const std::vector<Eigen::Vector3d>& places)
 CoordinateRounding
 estimateRounding (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const Execution silent = execution.silent ();
+  const Execution still = execution.still ();
   std::vector<Eigen::Vector3d> places;
-  for (const std::uint32_t node : sampleNodes (nodes, step_sample_size, silent))
+  for (const std::uint32_t node : sampleNodes (nodes, step_sample_size, still))
     places.push_back (nodes.base[node].cast<double> () + nodes.offset[node].cast<double> ());
   const auto step = static_cast<float> (coordinateStep (places));
-  return {step, step > 0 && graph.minRowLength () >= nearest_count && showSteps (ThinnedSample (graph, nodes, silent))};
+  return {step, step > 0 && graph.minRowLength () >= nearest_count && showSteps (ThinnedSample (graph, nodes, still))};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

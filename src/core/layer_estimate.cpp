@@ -157,10 +157,10 @@ private:
 LayerEstimate
 estimateLayers (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const Execution silent = execution.silent ();
-  if (!mayHaveLayers (graph, nodes, silent))
+  const Execution still = execution.still ();
+  if (!mayHaveLayers (graph, nodes, still))
     return {};
-  const ThinnedSample sample (graph, nodes, silent);
+  const ThinnedSample sample (graph, nodes, still);
   return LayerFinder (sample).find ();
 }
 } // namespace core

@@ -130,10 +130,10 @@ private:
 RegionalField
 estimateLines (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  const Execution silent = execution.silent ();
-  if (!mayHaveLines (graph, nodes, silent))
+  const Execution still = execution.still ();
+  if (!mayHaveLines (graph, nodes, still))
     return {};
-  const ThinnedSample sample (graph, nodes, silent);
+  const ThinnedSample sample (graph, nodes, still);
   std::vector<LineEnd> ends (sample.size ());
   float reach = 0;
   for (int halvings = 0; halvings < sample.end (); ++halvings) {

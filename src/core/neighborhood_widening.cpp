@@ -68,8 +68,8 @@ widenNeighborhoods (const NeighborGraph& graph,
 {
   if (!widening.isNeeded () || !haveOneLength (graph))
     return {};
-  const Execution silent = execution.silent ();
-  const std::vector<int> halvings = halvingsOfNodes (widening, nodes, silent);
+  const Execution still = execution.still ();
+  const std::vector<int> halvings = halvingsOfNodes (widening, nodes, still);
   const auto length = static_cast<std::uint32_t> (graph.minRowLength ());
   auto wide = std::make_shared<NeighborGraph> (graph);
   const int most = *std::max_element (halvings.begin (), halvings.end ());
@@ -77,9 +77,9 @@ widenNeighborhoods (const NeighborGraph& graph,
     const std::vector<std::uint32_t> changed = nodesOf (of_cloud, halvings);
     if (changed.empty ())
       continue;
-    const ThinnedCloud thinned (graph, nodes, of_cloud, ThinnedCloud::Parts::ALL, silent);
+    const ThinnedCloud thinned (graph, nodes, of_cloud, ThinnedCloud::Parts::ALL, still);
     std::vector<std::uint32_t> rows (changed.size () * length);
-    parallelFor (changed.size (), silent, [&] (std::size_t begin, std::size_t end) {
+    parallelFor (changed.size (), still, [&] (std::size_t begin, std::size_t end) {
       KdTree::Scratch scratch;
       for (std::size_t i = begin; i < end; ++i)
         thinned.row (changed[i], rows.data () + i * length, length, scratch);

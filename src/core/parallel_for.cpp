@@ -28,6 +28,12 @@ Execution::part (double from, double to, double of) const
 }
 
 Execution
+Execution::still () const
+{
+  return part (0, 0);
+}
+
+Execution
 Execution::silent () const
 {
   Execution result = *this;

@@ -87,10 +87,10 @@ estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Exe
 {
   if (graph.minRowLength () < noise_row_length)
     return {};
-  const Execution silent = execution.silent ();
-  const ThinnedNoise thinned (graph, nodes, silent);
+  const Execution still = execution.still ();
+  const ThinnedNoise thinned (graph, nodes, still);
   const int halvings = halvingsOf (thinned, ThinnedCloud::mostHalvings (nodes.size (), ThinnedCloud::least_size));
-  if (halvings == 0 || showsSheets (graph, nodes, estimateNoise (thinned.after (0)), silent))
+  if (halvings == 0 || showsSheets (graph, nodes, estimateNoise (thinned.after (0)), still))
     return {};
   const NoiseSample sample = thinned.after (halvings);
   const NoiseEstimate noise = estimateNoise (sample);

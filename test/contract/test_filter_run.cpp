@@ -58,6 +58,25 @@ TYPED_TEST (FilterRun, ReportsProgressThatNeverFallsAndEndsAtOne)
   }
 }
 
+TEST (SmoothingRun, CanBeCancelledWhileTheNoiseIsEstimated)
+{
+  const Shape shape = torus (60000, 1, 0.4);
+  const auto cloud = makeCloud<pcl::PointNormal> (withNoise (shape.points, 0.01, 112), shape.normals);
+  pcl_normal_smoothing::NormalSmoothing<pcl::PointNormal> smoothing;
+  smoothing.setInputCloud (cloud);
+  int standing = 0;
+  double last = 0;
+  smoothing.setProgressCallback ([&] (double share) {
+    standing += share == last && share > 0.4 && share < 1 ? 1 : 0;
+    last = share;
+    return standing < 20; // between the search and the rounds alone does it stand so long
+  });
+  pcl::PointCloud<pcl::PointNormal> output;
+  smoothing.filter (output);
+  EXPECT_TRUE (smoothing.wasCancelled ());
+  EXPECT_NEAR (last, 0.5, 0.01);
+}
+
 TYPED_TEST (FilterRun, CancelledItsOutputIsTheInput)
 {
   for (const double at : {0.0, 0.3, 0.6, 0.95}) {

@@ -12,8 +12,8 @@ namespace core
 {
 /** The neighbourhoods of all finite points of a cloud, searched once and shared by all stages.
   *
-  * Its nodes are the cloud's finite points, or where the query is for distinct ones the places of these, in an order that follows space, so that a kernel that walks over the nodes
-  * finds its neighbours in the cache whatever the cloud's order. A row begins with the point itself; its neighbours
+  * Its nodes are the cloud's finite points, or, where the query is for distinct ones, the first in every place of these, in an
+  * order that follows space, so that a kernel that walks over the nodes finds its neighbours in the cache whatever the cloud's order. A row begins with the point itself; its neighbours
   * follow by (squared distance, index in the cloud), and a tie at the k-th place goes to the lowest index. */
 class NeighborGraph
 {

@@ -24,6 +24,10 @@ public:
   Execution
   part (double from, double to, double of = 1) const;
 
+  /** The same threads, reporting where this begins, again and again: for steps whose number nobody knows, so that they can be cancelled. */
+  Execution
+  still () const;
+
   /** The same threads, reporting nothing: for steps that take no time to speak of. */
   Execution
   silent () const;

@@ -12,6 +12,7 @@ namespace core
 /** Lets the data tell what smoothing in rounds has to know: the layers that neighbourhoods must see past, which neighbours lie on
   * another sheet, the noise of the cloud, and what follows from it. Nothing changes for the paper's chain.
   * \param[in] normals read only for NormalSource::INPUT
+  * \param[in] execution progress stands still meanwhile
   * \param[in,out] graph on return with wide neighbourhoods in layers, and without neighbours on other sheets
   * \param[in,out] options that pass check; on return without anything to estimate, and widening neighbourhoods where these had to be; given again,
   * they give the same graph */
