@@ -231,6 +231,12 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
   if (depth.separation >= 0)
     graph_ = core::separateSheets (searched_, nodes_, core::SmoothingPreparation::separation (plan_.options, normals_),
                                    execution_);
+  findWanted ();
+}
+
+void
+Region::findWanted ()
+{
   wanted_.clear ();
   for (std::uint32_t node = 0; node < searched_->size (); ++node)
     if (wanted_records_[searched_->order ()[node]])

@@ -126,6 +126,10 @@ private:
   void
   search (const IsWanted& is_wanted, const Depth& depth);
 
+  /** The nodes of the wanted records. */
+  void
+  findWanted ();
+
   Neighborhoods
   neighborhoods () const;
 

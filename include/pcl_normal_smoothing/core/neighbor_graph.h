@@ -13,8 +13,9 @@ namespace core
 /** The neighbourhoods of all finite points of a cloud, searched once and shared by all stages.
   *
   * Its nodes are the cloud's finite points, or, where the query is for distinct ones, the first in every place of these, in an
-  * order that follows space, so that a kernel that walks over the nodes finds its neighbours in the cache whatever the cloud's order. A row begins with the point itself; its neighbours
-  * follow by (squared distance, index in the cloud), and a tie at the k-th place goes to the lowest index. */
+  * order that follows space, so that a kernel that walks over the nodes finds its neighbours in the cache whatever the cloud's
+  * order. A row begins with the point itself; its neighbours follow by (squared distance, index in the cloud), and a tie at the
+  * k-th place goes to the lowest index. */
 class NeighborGraph
 {
 public:
@@ -33,7 +34,8 @@ public:
 
   /** Searches the neighbours of some points only, and of what can be reached from them: for a sample of a cloud.
     * \param[in] start finite points of the cloud, each once
-    * \param[in] hops along rows. The nodes are \a start, in that order, copies apart, and what is reached by so many hops and one more; the rows
+    * \param[in] hops along rows. The nodes are \a start, in that order, copies apart, and what is reached by so many hops and one
+    * more; the rows
     * of what only the last one reaches hold nothing but the node */
   static Ptr
   buildAround (const Positions& cloud,
