@@ -143,7 +143,7 @@ public:
   /** Neighbourhoods may be too narrow to show the surface, and any noise: where points lie on the lines of a lidar that turns, or in
     * layers, for their coordinates come in steps, as those of depth cameras do, or where the noise is wider than the points are apart.
     * Where the cloud shows that, they grow, k as it is. For rounds, and with k nearest neighbours, not where a radius bounds them; wide
-    * noise is looked for from k = 16 on. Default: true. */
+    * noise is looked for from k = 16 on. What rounding made of coordinates (voxels, few digits) is looked for too. Default: true. */
   void
   setWidenNeighborhoods (bool widen)
   {
