@@ -159,7 +159,7 @@ ViewerParameters::text () const
   for (const auto& [name, value] : used_) {
     const bool number = words_.find (name) == words_.end () && value != "inf";
     lines << (name == selected_ ? "> " : "  ") << name.substr (1)
-          << std::string (20 - std::min<std::size_t> (19, name.size ()), ' ')
+          << std::string (22 - std::min<std::size_t> (21, name.size ()), ' ')
           << (number ? shortText (std::strtod (value.c_str (), nullptr)) : value)
           << (options_.count (name) > 0 ? " *" : "") << "\n";
   }
