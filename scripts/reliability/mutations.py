@@ -24,6 +24,12 @@ HEADERS = "include/pcl_normal_smoothing/"
 
 # name, file, what stands there, what is put in its place
 MUTATIONS = [
+    ("search: what is left behind the last whole vector", KERNELS + "nearest.h", "if (first < candidates.count)", "if (false)"),
+    ("search: keys behind the last pair have no rank", KERNELS + "nearest.h", "if (j < count)", "if (false)"),
+    ("graph: changed rows are not the shortest", CORE + "neighbor_graph.cpp", "std::min (graph->min_row_length_, graph->row (nodes[i]).size ())",
+     "graph->min_row_length_"),
+    ("graph: the shortest of rows of all lengths", CORE + "neighbor_graph_rows.h", "length = std::min (length, row.size () + 1);", ";"),
+    ("noise: a short row of the sample has neighbours behind its end", CORE + "noise_sample.cpp", "row[j] == row[0] ? lane : i", "i"),
     ("flips: a normal is not turned to the side of the point's", KERNELS + "normal_filter.h",
      "return oriented ? number : withSignOf (number, cosine);", "return number;"),
     ("eq. 3: the weight is not squared", KERNELS + "normal_filter.h", "return inside * inside;",

@@ -102,15 +102,6 @@ NeighborGraph::row (std::size_t node) const
   return Row (blockRows (block) + node % block_size, size, block_size);
 }
 
-std::size_t
-NeighborGraph::minRowLength () const
-{
-  std::size_t length = size () == 0 ? 0 : row (0).size ();
-  for (std::size_t node = 1; node < size (); ++node)
-    length = std::min (length, row (node).size ());
-  return length;
-}
-
 NeighborGraph::Ptr
 NeighborGraph::withRows (const std::vector<std::uint32_t>& nodes,
                          const std::vector<std::uint32_t>& rows,
@@ -138,6 +129,7 @@ NeighborGraph::withRows (const std::vector<std::uint32_t>& nodes,
     for (std::size_t j = 0; j < blockLength (block); ++j)
       std::fill (row + j * block_size + lane, row + j * block_size + lanes_end,
                  j < length ? rows[i * length + j] : nodes[i]);
+    graph->min_row_length_ = std::min (graph->min_row_length_, graph->row (nodes[i]).size ());
   }
   return graph;
 }

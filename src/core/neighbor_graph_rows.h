@@ -47,6 +47,7 @@ public:
   {
     if (length_ == 0)
       copyRows ();
+    graph_.min_row_length_ = minLength ();
     const std::size_t size = graph_.size ();
     for (std::size_t lane = size; lane < graph_.blockCount () * block_size; ++lane)
       for (std::size_t j = 0; j < graph_.blockLength (lane / block_size); ++j)
@@ -69,6 +70,15 @@ private:
     graph_.neighbors_ = {std::make_shared<Neighbors> (graph_.block_begin_.back ())};
     for (std::size_t block = 0; block < lengths.size (); ++block)
       graph_.block_rows_.push_back (graph_.neighbors_[0]->data () + graph_.block_begin_[block]);
+  }
+
+  std::size_t
+  minLength () const
+  {
+    std::size_t length = length_ == 0 && !rows_.empty () ? rows_[0].size () + 1 : length_;
+    for (const auto& row : rows_)
+      length = std::min (length, row.size () + 1);
+    return length;
   }
 
   void

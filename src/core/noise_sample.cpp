@@ -13,6 +13,7 @@ namespace core
 namespace
 {
 constexpr std::uint32_t row_length = noise_row_length;
+constexpr std::array<std::size_t, 3> sizes = {8, 12, row_length}; // of the neighbourhoods that are asked
 
 /** The neighbourhoods of the nodes in a sample, one after the other, each filled up with the node itself. */
 using SampleRows = std::vector<std::uint32_t>;
@@ -41,11 +42,19 @@ copyDistinct (const Positions& nodes, const NodeRow& row, std::uint32_t* begin)
 }
 
 SampleRows
-rowsOfGraph (const NeighborGraph& graph, const Positions& nodes, const std::vector<std::uint32_t>& sample)
+rowsOfGraph (const NeighborGraph& graph,
+             const Positions& nodes,
+             const std::vector<std::uint32_t>& sample,
+             const Execution& execution)
 {
   SampleRows rows (sample.size () * row_length);
-  for (std::size_t i = 0; i < sample.size (); ++i)
-    copyDistinct (nodes, graph.row (sample[i]), &rows[i * row_length]);
+  parallelFor (
+      sample.size (), execution.silent (),
+      [&] (std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          copyDistinct (nodes, graph.row (sample[i]), &rows[i * row_length]);
+      },
+      64);
   return rows;
 }
 
@@ -76,50 +85,75 @@ searchedRows (const NeighborGraph& graph,
   return rows;
 }
 
-/** The rows of 16 nodes side by side, as a graph keeps those of a block. */
-std::vector<std::uint32_t>
-blockOf (const SampleRows& rows, std::size_t begin)
+/** The rows of 16 nodes side by side, as a graph keeps those of a block, of positions of their own: those of the cloud, and a number for
+  * every one of them, lie far apart in memory. */
+class SampleBlock
 {
-  std::vector<std::uint32_t> block (row_length * NeighborGraph::block_size);
-  for (std::size_t lane = 0; lane < NeighborGraph::block_size; ++lane) {
-    const std::size_t first = std::min ((begin + lane) * row_length, rows.size () - row_length);
-    for (std::size_t j = 0; j < row_length; ++j)
-      block[j * NeighborGraph::block_size + lane] = rows[first + j];
+public:
+  /** Takes the rows of \a begin and of what follows it; behind the last one its own again. */
+  SampleBlock (const Positions& nodes, const SampleRows& rows, std::size_t begin)
+  : positions_ {Vectors (size), Vectors (size), nodes.unit}, neighbors_ (size)
+  {
+    for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+      const std::uint32_t* row = &rows[std::min ((begin + lane) * row_length, rows.size () - row_length)];
+      for (std::uint32_t j = 0; j < row_length; ++j) {
+        const std::uint32_t i = j * lanes + lane;
+        positions_.base[i] = nodes.base[row[j]];
+        positions_.offset[i] = nodes.offset[row[j]];
+        neighbors_[i] = row[j] == row[0] ? lane : i; // the node itself, where the row has ended
+      }
+    }
   }
-  return block;
+
+  /** \return what a quadric leaves of the nearest \a count of every row */
+  std::array<float, NeighborGraph::block_size>
+  variances (std::size_t count) const
+  {
+    std::array<float, lanes> of_lanes;
+    kernels ().residual_variances ({nodeArrays (positions_, positions_.base), of_lanes.data ()},
+                                   {neighbors_.data (), count});
+    return of_lanes;
+  }
+
+private:
+  static constexpr std::uint32_t lanes = NeighborGraph::block_size, size = lanes * row_length;
+
+  Positions positions_;
+  std::vector<std::uint32_t> neighbors_;
+};
+
+/** Of a node, without its variances. */
+NoiseSample::Residuals
+residualsAt (const Positions& nodes, const std::uint32_t* row)
+{
+  const std::uint32_t node = row[0], eighth = row[sizes[0] - 1];
+  return {{}, eighth == node ? 0 : nodes.difference (node, eighth).norm (), nodes.base[node]};
 }
 
 NoiseSample
-residualsOf (const Positions& nodes,
-             const std::vector<std::uint32_t>& sample,
-             const SampleRows& rows,
-             const Execution& execution)
+residualsOf (const Positions& nodes, const SampleRows& rows, const Execution& execution)
 {
-  constexpr std::array<std::size_t, 3> sizes = {8, 12, 16};
-  std::array<Numbers, 3> of_nodes;
-  for (auto& variances : of_nodes)
-    variances.resize (nodes.size ());
-  const NodeArrays arrays = nodeArrays (nodes, nodes.base);
-  const std::size_t block_count = (sample.size () + NeighborGraph::block_size - 1) / NeighborGraph::block_size;
-  parallelFor (
-      block_count, execution,
-      [&] (std::size_t begin, std::size_t end) {
-        for (std::size_t block = begin; block < end; ++block) {
-          const auto block_rows = blockOf (rows, block * NeighborGraph::block_size);
-          for (std::size_t i = 0; i < sizes.size (); ++i)
-            kernels ().residual_variances ({arrays, of_nodes[i].data ()}, {block_rows.data (), sizes[i]});
-        }
-      },
-      8);
-
-  NoiseSample residuals;
-  for (std::size_t s = 0; s < sample.size (); ++s) {
-    const std::uint32_t node = sample[s], eighth = rows[s * row_length + sizes[0] - 1];
-    residuals.of_nodes.push_back ({{of_nodes[0][node], of_nodes[1][node], of_nodes[2][node]},
-                                   eighth == node ? 0 : nodes.difference (node, eighth).norm (),
-                                   nodes.base[node]});
-  }
-  return residuals;
+  constexpr std::size_t block_size = NeighborGraph::block_size;
+  NoiseSample sample;
+  sample.of_nodes.resize (rows.size () / row_length);
+  const auto read = [&] (std::size_t begin) {
+    const SampleBlock block (nodes, rows, begin);
+    const std::size_t end = std::min (begin + block_size, sample.of_nodes.size ());
+    for (std::size_t s = begin; s < end; ++s)
+      sample.of_nodes[s] = residualsAt (nodes, &rows[s * row_length]);
+    for (std::size_t i = 0; i < sizes.size (); ++i) {
+      const auto variances = block.variances (sizes[i]);
+      for (std::size_t s = begin; s < end; ++s)
+        sample.of_nodes[s].variances[i] = variances[s - begin];
+    }
+  };
+  parallelFor ((sample.of_nodes.size () + block_size - 1) / block_size, execution,
+               [&] (std::size_t begin, std::size_t end) {
+                 for (std::size_t block = begin; block < end; ++block)
+                   read (block * block_size);
+               },
+               8);
+  return sample;
 }
 } // namespace
 
@@ -150,9 +184,9 @@ sampleNoise (const NeighborGraph& graph, const Positions& nodes, const Execution
   const std::vector<std::uint32_t> sample = sampleNodes (nodes, noise_sample_size, execution);
   // A graph by radius, or of small neighbourhoods, does not show enough.
   const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
-  return residualsOf (nodes, sample,
-                      is_enough ? rowsOfGraph (graph, nodes, sample) : searchedRows (graph, nodes, sample, execution),
-                      execution);
+  const SampleRows rows =
+      is_enough ? rowsOfGraph (graph, nodes, sample, execution) : searchedRows (graph, nodes, sample, execution);
+  return residualsOf (nodes, rows, execution);
 }
 
 NoiseSample
@@ -166,7 +200,7 @@ sampleNoise (const NeighborGraph& graph,
   for (const std::uint32_t node : sample)
     if (graph.row (node).size () >= std::min<std::uint64_t> (row_length, cloud_size))
       with_rows.push_back (node);
-  NoiseSample residuals = residualsOf (nodes, with_rows, rowsOfGraph (graph, nodes, with_rows), execution);
+  NoiseSample residuals = residualsOf (nodes, rowsOfGraph (graph, nodes, with_rows, execution), execution);
   residuals.short_rows = sample.size () - with_rows.size ();
   return residuals;
 }

@@ -18,6 +18,15 @@ using namespace test_support;
 constexpr float no_radius = std::numeric_limits<float>::infinity ();
 constexpr float nan_float = std::numeric_limits<float>::quiet_NaN ();
 
+std::size_t
+shortestRow (const NeighborGraph& graph)
+{
+  std::size_t length = graph.size ();
+  for (std::size_t node = 0; node < graph.size (); ++node)
+    length = std::min (length, graph.row (node).size ());
+  return length;
+}
+
 class NeighborGraphTest : public testing::TestWithParam<NamedCloud>
 {
 protected:
@@ -27,6 +36,7 @@ protected:
     ASSERT_EQ (graph.size (), cloud.size ());
     for (std::size_t node = 0; node < graph.size (); ++node)
       ASSERT_EQ (rowInCloud (graph, node), bruteForceRow (cloud, graph.order ()[node], query)) << "node " << node;
+    EXPECT_EQ (graph.minRowLength (), shortestRow (graph));
   }
 
   /** All that lie within the query and some more, backwards: a search that promises no order. */
@@ -128,6 +138,16 @@ TEST (NeighborGraph, LeavesOutPointsThatAreNotFinite)
       EXPECT_NE (j % 3, 0u) << "a neighbour of point " << i;
   }
   EXPECT_EQ (finiteElements (cloud).size (), graph->size ());
+}
+
+TEST (NeighborGraph, KnowsItsShortestRowWhenSomeRowsAreOthers)
+{
+  const Positions cloud = hardClouds ().front ().positions;
+  const auto graph = NeighborGraph::build (cloud, {7, no_radius}, Execution (2));
+  const auto changed = graph->withRows ({3, 40, 41}, {3, 4, 5, 40, 41, 40, 41, 40, 42}, 3);
+  EXPECT_EQ (changed->minRowLength (), shortestRow (*changed));
+  EXPECT_EQ (changed->minRowLength (), 2u);
+  EXPECT_EQ (graph->minRowLength (), 7u);
 }
 
 TEST (NeighborGraph, IsEmptyWhereNoPointIsFinite)

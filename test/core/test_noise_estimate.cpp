@@ -133,6 +133,19 @@ TEST (NoiseEstimateTest, ShortRowsAreSearchedAgain)
   EXPECT_EQ (estimateOf (points, 5).sigma, estimateOf (points, 16).sigma);
 }
 
+TEST (NoiseEstimateTest, WhereThereAreFewerPointsAllAreAsked)
+{
+  Vectors points = noisy (planeGrid (10, 0.01f), 0.001);
+  points.resize (12);
+  const auto graph = NeighborGraph::build (asPositions (points), {32}, Execution (1));
+  const NoiseSample sample = sampleNoise (*graph, gather (asPositions (points), graph->order ()), Execution (1));
+  ASSERT_EQ (sample.of_nodes.size (), points.size ());
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes) {
+    EXPECT_GT (residuals.variances[1], 0);
+    EXPECT_EQ (residuals.variances[1], residuals.variances[2]);
+  }
+}
+
 TEST (NoiseEstimateTest, TooFewPointsGiveZero)
 {
   EXPECT_EQ (estimateOf (sphere (5, 1).points).sigma, 0);

@@ -110,7 +110,10 @@ public:
 
   /** Length of the shortest row; 0 without nodes. */
   std::size_t
-  minRowLength () const;
+  minRowLength () const
+  {
+    return min_row_length_;
+  }
 
   /** Index in the cloud of every node. */
   const Elements&
@@ -168,7 +171,7 @@ private:
   std::vector<std::shared_ptr<Neighbors>> neighbors_; // kept alive: those of all blocks, then changed ones
   std::vector<const std::uint32_t*> block_rows_;
   std::vector<std::size_t> block_begin_; // blockCount () + 1
-  std::size_t cloud_size_ = 0;
+  std::size_t cloud_size_ = 0, min_row_length_ = 0;
 };
 
 /** The elements of \a positions that \a order names, in that order. */

@@ -70,7 +70,7 @@ struct Lanes2
 LANES_INLINE Lanes
 splat (float value)
 {
-  return Lanes {} + value;
+  return value - Lanes {}; // value + 0 would be computed, for the sake of -0
 }
 
 template <typename T>

@@ -5,10 +5,6 @@
 
 #include <pcl_normal_smoothing/core/kernels.h>
 
-#if defined(__AVX512F__)
-#include <immintrin.h>
-#endif
-
 namespace pcl_normal_smoothing
 {
 namespace core
@@ -28,31 +24,88 @@ squaredDistances (const Candidates& candidates, const CandidateQuery& query, std
   return (difference[0] * difference[0] + difference[1] * difference[1]) + difference[2] * difference[2];
 }
 
-/** The candidates that are not farther than the bound, and their squared distances. */
-LANES_INLINE std::size_t
-selectNear (const Candidates& candidates, const CandidateQuery& query, float* sq_dists, std::uint32_t* selected)
+/** Where those go that are near, one after the other; there is room for a whole vector behind them. */
+struct NearCandidates
 {
-  std::size_t size = 0;
-  for (std::size_t first = 0; first < candidates.count; first += lane_count) {
-    const Lanes of_lanes = squaredDistances (candidates, query, first);
+  float* sq_dists;
+  std::uint32_t* numbers;
+  std::size_t size;
+};
+
 #if defined(__AVX512F__)
-    const __m512i numbers = _mm512_add_epi32 (_mm512_set1_epi32 (static_cast<int> (first)),
-                                              _mm512_setr_epi32 (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
-    const auto in_range = static_cast<__mmask16> (
-        candidates.count - first >= 16 ? 0xffff : (1u << (candidates.count - first)) - 1);
-    const __mmask16 near = _mm512_mask_cmp_ps_mask (in_range, (__m512) of_lanes, _mm512_set1_ps (query.sq_bound), _CMP_LE_OQ);
-    _mm512_storeu_si512 (selected + size, _mm512_maskz_compress_epi32 (near, numbers));
-    _mm512_storeu_ps (sq_dists + size, _mm512_maskz_compress_ps (near, (__m512) of_lanes));
-    size += static_cast<std::size_t> (__builtin_popcount (near));
-#else
-    for (std::size_t lane = 0; lane < lane_count && first + lane < candidates.count; ++lane) {
-      selected[size] = static_cast<std::uint32_t> (first + lane); // without a branch: which pass is as good as random
-      sq_dists[size] = of_lanes[lane];
-      size += of_lanes[lane] <= query.sq_bound;
-    }
-#endif
+
+/** Appends those of the first \a count lanes that are not farther than the bound. The candidate of lane 0 has the number \a first. */
+LANES_INLINE void
+appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count, NearCandidates& near)
+{
+  const __m512i numbers = _mm512_add_epi32 (_mm512_set1_epi32 (static_cast<int> (first)),
+                                            _mm512_setr_epi32 (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+  const auto in_range = static_cast<__mmask16> ((1u << count) - 1);
+  const __mmask16 are_near = _mm512_mask_cmp_ps_mask (in_range, (__m512) sq_dists, _mm512_set1_ps (sq_bound), _CMP_LE_OQ);
+  _mm512_storeu_si512 (near.numbers + near.size, _mm512_maskz_compress_epi32 (are_near, numbers));
+  _mm512_storeu_ps (near.sq_dists + near.size, _mm512_maskz_compress_ps (are_near, (__m512) sq_dists));
+  near.size += static_cast<std::size_t> (__builtin_popcount (are_near));
+}
+
+#elif defined(__AVX2__)
+
+/** For every set of lanes their numbers, ascending, a byte each, the first in the lowest. */
+struct LanesOfSets
+{
+  std::uint64_t lanes[256] = {};
+
+  constexpr LanesOfSets ()
+  {
+    for (unsigned set = 0; set < 256; ++set)
+      for (unsigned lane = 0, shift = 0; lane < 8; ++lane)
+        if ((set >> lane & 1) != 0) {
+          lanes[set] |= std::uint64_t {lane} << shift;
+          shift += 8;
+        }
   }
-  return size;
+};
+constexpr LanesOfSets lanes_of_sets;
+
+/** Appends those of the first \a count lanes that are not farther than the bound. The candidate of lane 0 has the number \a first. */
+LANES_INLINE void
+appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count, NearCandidates& near)
+{
+  const __m256 are_near = _mm256_cmp_ps ((__m256) sq_dists, _mm256_set1_ps (sq_bound), _CMP_LE_OQ);
+  const unsigned set = static_cast<unsigned> (_mm256_movemask_ps (are_near)) & ((1u << count) - 1);
+  const __m256i lanes = _mm256_cvtepu8_epi32 (_mm_loadl_epi64 ((const __m128i*) (lanes_of_sets.lanes + set)));
+  _mm256_storeu_si256 ((__m256i*) (near.numbers + near.size),
+                       _mm256_add_epi32 (lanes, _mm256_set1_epi32 (static_cast<int> (first))));
+  _mm256_storeu_ps (near.sq_dists + near.size, _mm256_permutevar8x32_ps ((__m256) sq_dists, lanes));
+  near.size += static_cast<std::size_t> (__builtin_popcount (set));
+}
+
+#else
+
+/** Appends those of the first \a count lanes that are not farther than the bound. The candidate of lane 0 has the number \a first. */
+LANES_INLINE void
+appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count, NearCandidates& near)
+{
+  for (std::size_t lane = 0; lane < count; ++lane) { // without a branch: which pass is as good as random
+    near.numbers[near.size] = static_cast<std::uint32_t> (first + lane);
+    near.sq_dists[near.size] = sq_dists[lane];
+    near.size += sq_dists[lane] <= sq_bound;
+  }
+}
+
+#endif
+
+/** The candidates that are not farther than the bound, and their squared distances. Both arguments are copies: what is stored
+  * might lie in those of the caller for all that the compiler knows, and each would be read again for every vector. */
+LANES_INLINE std::size_t
+selectNear (const Candidates candidates, const CandidateQuery query, float* sq_dists, std::uint32_t* selected)
+{
+  NearCandidates near {sq_dists, selected, 0};
+  std::size_t first = 0;
+  for (; first + lane_count <= candidates.count; first += lane_count)
+    appendNear (squaredDistances (candidates, query, first), query.sq_bound, first, lane_count, near);
+  if (first < candidates.count)
+    appendNear (squaredDistances (candidates, query, first), query.sq_bound, first, candidates.count - first, near);
+  return near.size;
 }
 
 /** How many of \a count keys are smaller than each of them.
@@ -62,9 +115,15 @@ rankKeys (const float* keys, std::size_t count, std::int32_t* ranks)
 {
   for (std::size_t i = 0; i < count; i += lane_count) {
     const Lanes own = load<Lanes> (keys + i);
-    Mask rank = {};
-    for (std::size_t j = 0; j < count; ++j)
-      rank -= (splat (keys[j]) < own); // a mask is -1 where it holds
+    Mask of_even = {}, of_odd = {}; // two, so that the one need not wait for the other
+    std::size_t j = 0;
+    for (; j + 2 <= count; j += 2) {
+      of_even -= (splat (keys[j]) < own); // a mask is -1 where it holds
+      of_odd -= (splat (keys[j + 1]) < own);
+    }
+    if (j < count)
+      of_even -= (splat (keys[j]) < own);
+    const Mask rank = of_even + of_odd;
     std::memcpy (ranks + i, &rank, sizeof rank);
   }
   std::size_t sum = 0;
