@@ -19,29 +19,34 @@ public:
   {
     while (bits_per_point * count >> (32 - shift_) != 0 && shift_ > 0)
       --shift_;
-    bits_.resize (std::size_t {1} << (32 - shift_));
+    words_.assign ((std::size_t {1} << (32 - shift_)) / word_size + 1, 0);
   }
 
   /** \return whether it was there before */
   bool
   insert (std::uint32_t hash)
   {
-    const auto bit = bits_[hash >> shift_];
-    const bool was_there = bit;
-    bits_[hash >> shift_] = true;
+    const bool was_there = contains (hash);
+    words_[(hash >> shift_) / word_size] |= bitOf (hash);
     return was_there;
   }
 
   bool
   contains (std::uint32_t hash) const
   {
-    return bits_[hash >> shift_];
+    return (words_[(hash >> shift_) / word_size] & bitOf (hash)) != 0;
   }
 
 private:
-  static constexpr std::uint64_t bits_per_point = 32;
+  static constexpr std::uint64_t bits_per_point = 32, word_size = 64;
 
-  std::vector<bool> bits_;
+  std::uint64_t
+  bitOf (std::uint32_t hash) const
+  {
+    return std::uint64_t {1} << ((hash >> shift_) % word_size);
+  }
+
+  PaddedVector<std::uint64_t> words_;
   unsigned shift_ = 31;
 };
 
