@@ -24,6 +24,8 @@ constexpr float test_spacings = 1.2f;
 constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
 constexpr float sheet_noise_factor = 1.4f;
+// Where noise is wider than the points are apart, none of it should be taken for the surface's; what is smoothed a little more is smooth there.
+constexpr float wide_noise_factor = 1.4f;
 // Nearer than that they are layers of one wall that faces a depth camera.
 constexpr float sheet_steps = 1.5f;
 // Of the noise: where sheets are told apart that nobody saw, less than this is not what noise leaves.
@@ -127,7 +129,7 @@ protected:
   NoiseEstimate
   mixedNoise () override
   {
-    return estimateNoise (sampleNoise (*graph_, positions_, execution_), widening_);
+    return noiseOf (sampleNoise (*graph_, positions_, execution_));
   }
 
   SheetEstimate
@@ -152,7 +154,7 @@ protected:
   {
     const std::size_t size = graph_->finiteCount ();
     const std::vector<std::uint32_t> sample = sampleNodes (positions_, noise_sample_size, execution_);
-    return estimateNoise (sampleNoise (*graph_, positions_, sample, size, execution_), widening_);
+    return noiseOf (sampleNoise (*graph_, positions_, sample, size, execution_));
   }
 
   void
@@ -162,6 +164,15 @@ protected:
   }
 
 private:
+  NoiseEstimate
+  noiseOf (const NoiseSample& sample) const
+  {
+    NoiseEstimate noise = estimateNoise (sample, widening_);
+    if (!widening_.wide_noise.regions.empty ())
+      noise.sigma *= wide_noise_factor;
+    return noise;
+  }
+
   /** From one layer to the next, or of coordinates; 0 where there is none. */
   float
   largestStep () const

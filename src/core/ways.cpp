@@ -7,21 +7,21 @@ namespace pcl_normal_smoothing
 namespace core
 {
 Eigen::Vector3d
-meanOfNearest (const Ways& ways)
+meanOfNearest (const Ways& ways, std::size_t count)
 {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero ();
-  for (std::size_t j = 0; j < nearest_count; ++j)
-    mean += ways[j] / nearest_count;
+  for (std::size_t j = 0; j < count; ++j)
+    mean += ways[j] / static_cast<double> (count);
   return mean;
 }
 
 Eigen::Matrix3d
-covarianceOfNearest (const Ways& ways)
+covarianceOfNearest (const Ways& ways, std::size_t count)
 {
-  const Eigen::Vector3d mean = meanOfNearest (ways);
+  const Eigen::Vector3d mean = meanOfNearest (ways, count);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero ();
-  for (std::size_t j = 0; j < nearest_count; ++j)
-    covariance += (ways[j] - mean) * (ways[j] - mean).transpose () / nearest_count;
+  for (std::size_t j = 0; j < count; ++j)
+    covariance += (ways[j] - mean) * (ways[j] - mean).transpose () / static_cast<double> (count);
   return covariance;
 }
 

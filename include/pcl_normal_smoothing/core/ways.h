@@ -15,13 +15,13 @@ using Ways = std::vector<Eigen::Vector3d>;
 /** The node and so many of its nearest tell whether it lies in a plane, or on a line. */
 constexpr std::size_t nearest_count = 8;
 
-/** Of the nearest_count nearest. \param[in] ways at least as many */
+/** Of the \a count nearest. \param[in] ways at least as many */
 Eigen::Vector3d
-meanOfNearest (const Ways& ways);
+meanOfNearest (const Ways& ways, std::size_t count = nearest_count);
 
 /** About their mean. \param[in] ways at least as many */
 Eigen::Matrix3d
-covarianceOfNearest (const Ways& ways);
+covarianceOfNearest (const Ways& ways, std::size_t count = nearest_count);
 
 /** The median distance of the last of the nearest_count nearest; 0 of none. */
 float
