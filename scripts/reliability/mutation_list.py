@@ -9,6 +9,7 @@ HEADERS = "include/pcl_normal_smoothing/"
 MUTATIONS = [
     ("clumps: no noise is looked for in them", CORE + "wide_noise.cpp", "return ratio > read_in_clumps &&", "return false &&"),
     ("wide noise: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "noise.sigma *= wide_noise_factor;", ";"),
+    ("noise read in part: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "noise.sigma = takenSigma (noise);", ";"),
     ("search: what is left behind the last whole vector", KERNELS + "nearest.h", "if (first < candidates.count)", "if (false)"),
     ("search: keys behind the last pair have no rank", KERNELS + "nearest.h", "if (j < count)", "if (false)"),
     ("graph: changed rows are not the shortest", CORE + "neighbor_graph.cpp", "std::min (graph->min_row_length_, graph->row (nodes[i]).size ())",

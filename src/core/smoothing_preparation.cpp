@@ -26,6 +26,11 @@ constexpr float share_of_gap = .36f;
 constexpr float sheet_noise_factor = 1.4f;
 // Where noise is wider than the points are apart, none of it should be taken for the surface's; what is smoothed a little more is smooth there.
 constexpr float wide_noise_factor = 1.4f;
+// As wide as the points are apart, noise is read as .7 to .9 of what it is, and no wider whatever it is: of the ratio to the spacing, from the
+// first on it may be that wide, from the second on it is taken to be. Where it is .7 it is read in full, but loses nothing by that.
+constexpr float perhaps_wide = .67f;
+constexpr float as_if_wide = .74f;
+constexpr float unread_noise_factor = 1.6f;
 // Nearer than that they are layers of one wall that faces a depth camera.
 constexpr float sheet_steps = 1.5f;
 // Of the noise: where sheets are told apart that nobody saw, less than this is not what noise leaves.
@@ -86,6 +91,14 @@ chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated, const S
   const float of_rows = std::min (separated.sigma, 1.2f * mixed.sigma), of_sheets = sheet_noise_factor * sheets.sigma;
   const float sigma = std::max (of_rows, of_sheets);
   return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing, separated.spacing > 0 ? separated.field : mixed.field};
+}
+
+/** \return for how large the noise is taken that is read so large, of one sheet */
+float
+takenSigma (const NoiseEstimate& read)
+{
+  const float above = read.spacing > 0 ? read.sigma / read.spacing - perhaps_wide : 0;
+  return read.sigma * (1 + (unread_noise_factor - 1) * std::clamp (above / (as_if_wide - perhaps_wide), 0.0f, 1.0f));
 }
 
 /** Sets whatever else is to be estimated. */
@@ -224,6 +237,8 @@ SmoothingPreparation::complete (SmoothingOptions& options)
     else
       noise = chooseNoise (noise, separated, seen);
   }
+  if (!(seen.gap > 0))
+    noise.sigma = takenSigma (noise);
   setNoise (noise, options);
 }
 
