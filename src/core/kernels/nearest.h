@@ -32,9 +32,10 @@ struct NearCandidates
   std::size_t size;
 };
 
+// appendNear, for every instruction set: appends those of the first count lanes that are not farther than the bound. The candidate of
+// lane 0 has the number first.
 #if defined(__AVX512F__)
 
-/** Appends those of the first \a count lanes that are not farther than the bound. The candidate of lane 0 has the number \a first. */
 LANES_INLINE void
 appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count, NearCandidates& near)
 {
@@ -66,7 +67,6 @@ struct LanesOfSets
 };
 constexpr LanesOfSets lanes_of_sets;
 
-/** Appends those of the first \a count lanes that are not farther than the bound. The candidate of lane 0 has the number \a first. */
 LANES_INLINE void
 appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count, NearCandidates& near)
 {
@@ -81,7 +81,6 @@ appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count
 
 #else
 
-/** Appends those of the first \a count lanes that are not farther than the bound. The candidate of lane 0 has the number \a first. */
 LANES_INLINE void
 appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count, NearCandidates& near)
 {
