@@ -9,7 +9,7 @@ HEADERS = "include/pcl_normal_smoothing/"
 MUTATIONS = [
     ("clumps: no noise is looked for in them", CORE + "wide_noise.cpp", "return ratio > read_in_clumps &&", "return false &&"),
     ("wide noise: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "noise.sigma *= wide_noise_factor;", ";"),
-    ("noise read in part: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "noise.sigma = takenSigma (noise);", ";"),
+    ("noise read in part: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "readsInPart () ? takenSigma (read)", "false ? takenSigma (read)"),
     ("search: what is left behind the last whole vector", KERNELS + "nearest.h", "if (first < candidates.count)", "if (false)"),
     ("search: keys behind the last pair have no rank", KERNELS + "nearest.h", "if (j < count)", "if (false)"),
     ("graph: changed rows are not the shortest", CORE + "neighbor_graph.cpp", "std::min (graph->min_row_length_, graph->row (nodes[i]).size ())",
@@ -125,7 +125,7 @@ MUTATIONS = [
     ("lines: all neighbours are in one part", CORE + "neighborhood_widening.cpp", "Parts::ALL", "Parts::ONE"),
     ("lines: the noise is that within lines", CORE + "noise_estimate.cpp",
      "between == Between::LINES ? sigmaAcrossLines (variances) : ", ""),
-    ("wide noise: it is not seen", CORE + "wide_noise.cpp", "if (!hidesNoise (noise))", "if (true)"),
+    ("wide noise: it is not seen", CORE + "wide_noise.cpp", "most == 0 || !hidesNoise (noise)", "true"),
     ("wide noise: close sheets are some", CORE + "wide_noise.cpp", "if (halvings == 0 || showsSheets", "if (halvings == 0 || false && showsSheets"),
     ("wide noise: leaves are a surface", CORE + "wide_noise.cpp", "noise.ratio (most) < read_surely ? most : 0;", "true ? most : 0;"),
     ("nobody can cancel while the noise is estimated", "src/smoothing_run.cpp", "execution.still ()", "execution.silent ()"),

@@ -129,6 +129,7 @@ NeighborGraph::withRows (const std::vector<std::uint32_t>& nodes,
     for (std::size_t j = 0; j < blockLength (block); ++j)
       std::fill (row + j * block_size + lane, row + j * block_size + lanes_end,
                  j < length ? rows[i * length + j] : nodes[i]);
+    // Rows only get shorter, so the shortest is the one before or one of these.
     graph->min_row_length_ = std::min (graph->min_row_length_, graph->row (nodes[i]).size ());
   }
   return graph;

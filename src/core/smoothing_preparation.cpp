@@ -176,6 +176,12 @@ protected:
     graph_ = mixed_;
   }
 
+  bool
+  readsInPart () const override
+  {
+    return !widening_.isNeeded () && !(widening_.rounding.step > 0);
+  }
+
 private:
   NoiseEstimate
   noiseOf (const NoiseSample& sample) const
@@ -226,7 +232,12 @@ SmoothingPreparation::complete (SmoothingOptions& options)
   const bool estimates_sheets = options.rounds.sheet_distance < 0 && !options.rounds.oriented;
   NoiseEstimate noise = estimates ? mixedNoise () : NoiseEstimate ();
   const SheetEstimate seen = sheets (sheetTestDistance (noise, options));
-  const bool moves = setSheetDistance (noise, seen, options);
+  const bool is_one_sheet =
+      !options.rounds.oriented && !(seen.gap > 0) && (estimates_sheets || std::isinf (options.rounds.sheet_distance));
+  const auto taken = [&] (const NoiseEstimate& read) {
+    return NoiseEstimate {is_one_sheet && readsInPart () ? takenSigma (read) : read.sigma, read.spacing, read.field};
+  };
+  const bool moves = setSheetDistance (taken (noise), seen, options);
   const bool changes = moves && separate (options);
   if (estimates && moves && (changes || seen.gap > 0)) {
     const NoiseEstimate separated = separatedNoise ();
@@ -237,9 +248,7 @@ SmoothingPreparation::complete (SmoothingOptions& options)
     else
       noise = chooseNoise (noise, separated, seen);
   }
-  if (!(seen.gap > 0))
-    noise.sigma = takenSigma (noise);
-  setNoise (noise, options);
+  setNoise (taken (noise), options);
 }
 
 void

@@ -17,8 +17,8 @@ namespace core
 {
 namespace
 {
-// Of sigma to the spacing, as they are read. Up to the first, nothing is hidden, and neighbourhoods that have to be wider had better be
-// that wide; up to the second, evenly sampled surfaces are still read and smoothed as they are.
+// Of sigma to the spacing, as they are read. Up to the first, nothing is hidden but in clumps (below), and neighbourhoods that have to be
+// wider had better be that wide; up to the second, evenly sampled surfaces are still read and smoothed as they are.
 constexpr double read_surely = .3;
 constexpr double read_if_even = .85;
 // A halving makes the spacing 1.4 times as wide, and the ratio .71 of what it was, two halvings .5; where a part of the noise is hidden,
@@ -26,11 +26,11 @@ constexpr double read_if_even = .85;
 constexpr double max_fall = .83;
 constexpr double max_fall_of_two = .7;
 // Where points lie in clumps, as where sweeps of a lidar cross, noise hides in these, and the usual spacing is that of others: less is read.
-// There planes through few points are not those through more, and the ratio hardly falls. Both is so of detail, too, but not where
-// a quarter of the cloud is still a whole sample.
+// There planes through few points are not those through more, and the ratio hardly falls. In small clouds detail does the same; so
+// a quarter of the cloud has to be a whole sample.
 constexpr double read_in_clumps = .1;
 constexpr double max_fall_in_clumps = .92;
-constexpr std::size_t least_points = 4 * noise_sample_size;
+constexpr std::size_t least_to_quarter = 4 * noise_sample_size;
 constexpr double min_share_turned = .06;
 constexpr double max_cosine_turned = .7;
 constexpr double spacing_of_reach = .6267; // of the eighth point, as in the estimate of the noise: sqrt (pi / 8)
@@ -97,7 +97,7 @@ public:
   bool
   canBeQuartered () const
   {
-    return nodes_.size () >= least_points;
+    return nodes_.size () >= least_to_quarter;
   }
 
   bool
@@ -131,7 +131,7 @@ hidesNoise (ThinnedNoise& noise)
 int
 halvingsOf (ThinnedNoise& noise, int most)
 {
-  if (!hidesNoise (noise))
+  if (most == 0 || !hidesNoise (noise))
     return 0;
   for (int halvings = 1; halvings < most; ++halvings)
     if (noise.ratio (halvings) < read_surely && noise.ratio (halvings + 1) < max_fall * noise.ratio (halvings))

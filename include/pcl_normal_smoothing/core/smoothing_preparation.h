@@ -64,6 +64,13 @@ protected:
   /** Takes separate back. */
   virtual void
   mix () = 0;
+
+  /** Neighbourhoods are as they were searched, and so show but a part of noise that is as wide as the points are apart. */
+  virtual bool
+  readsInPart () const
+  {
+    return true;
+  }
 };
 } // namespace core
 } // namespace pcl_normal_smoothing
