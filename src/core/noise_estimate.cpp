@@ -163,7 +163,7 @@ estimateNoise (const NoiseSample& sample, const Widening& widening)
   if (widening.layers.hasLayers ())
     return noiseInLayers (sample, widening.layers);
   NoiseEstimate noise = estimateNoise (sample, !widening.lines.regions.empty () ? Between::LINES : Between::NOTHING);
-  noise.sigma = widening.rounding.atLeast (noise.sigma);
+  noise.sigma = widening.wide_noise.sigma > 0 ? widening.wide_noise.sigma : widening.rounding.atLeast (noise.sigma);
   return noise;
 }
 } // namespace core

@@ -21,6 +21,8 @@ constexpr double min_peak_over_valley = 1.5;
 // to one side (the median of SheetSample::sides), where a sheet lies above.
 constexpr float least_sigma_of_gap = .01f;
 constexpr float side_of_layer = .6f;
+// Of a neighbourhood that is a ball inside wide noise, what lies far off the plane lies more to one side than any sheet's points do.
+constexpr float side_of_ball = .65f;
 
 /** Where the neighbours of a node on other sheets lie, seen along its normal: above it and below. */
 class OtherNeighbors
@@ -119,7 +121,7 @@ estimateSheets (SheetSample sample, float distance)
   const std::vector<float> near = those (heights, [&] (float height) { return height < gap / 2; });
   // Both points of a pair have noise.
   const float sigma = quantile (near, .5) / (0.6745f * std::sqrt (2.0f));
-  if (sigma < least_sigma_of_gap * gap && quantile (sample.sides, .5) > side_of_layer)
+  if (quantile (sample.sides, .5) > (sigma < least_sigma_of_gap * gap ? side_of_layer : side_of_ball))
     return {};
   return {gap, sigma};
 }

@@ -25,7 +25,7 @@ constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
 constexpr float sheet_noise_factor = 1.4f;
 // Where noise is wider than the points are apart, none of it should be taken for the surface's; what is smoothed a little more is smooth there.
-constexpr float wide_noise_factor = 1.4f;
+constexpr float wide_noise_factor = 1.5f;
 // As wide as the points are apart, noise is read as .7 to .9 of what it is, and no wider whatever it is: of the ratio to the spacing, from the
 // first on it may be that wide, from the second on it is taken to be. Where it is .7 it is read in full, but loses nothing by that.
 constexpr float perhaps_wide = .67f;
@@ -187,7 +187,7 @@ private:
   noiseOf (const NoiseSample& sample) const
   {
     NoiseEstimate noise = estimateNoise (sample, widening_);
-    if (!widening_.wide_noise.regions.empty ())
+    if (widening_.wide_noise.sigma > 0)
       noise.sigma *= wide_noise_factor;
     return noise;
   }

@@ -9,6 +9,8 @@ namespace core
 {
 namespace
 {
+constexpr std::size_t some_points = 16384;
+
 /** The nodes by the first \a halvings bits of their hashes; of so many parts. */
 std::vector<Elements>
 membersOf (const Positions& nodes, int halvings, std::size_t part_count)
@@ -21,6 +23,19 @@ membersOf (const Positions& nodes, int halvings, std::size_t part_count)
     if (of_part.empty ()) // where most points are copies of others; a tree needs one
       of_part.push_back (0);
   return members;
+}
+
+/** \return a power of two */
+std::size_t
+partCount (std::size_t size, int halvings, ThinnedCloud::Parts parts)
+{
+  const std::size_t all = std::size_t {1} << halvings;
+  if (parts == ThinnedCloud::Parts::ALL)
+    return all;
+  std::size_t count = 1;
+  while (parts == ThinnedCloud::Parts::SOME && count < all && count * (size >> halvings) < some_points)
+    count *= 2;
+  return count;
 }
 
 KdTree
@@ -40,8 +55,7 @@ ThinnedCloud::ThinnedCloud (const NeighborGraph& graph,
                             const Execution& execution)
 : nodes_ (nodes)
 {
-  const std::size_t part_count = parts == Parts::ONE ? 1 : std::size_t {1} << halvings;
-  for (Elements& members : membersOf (nodes, halvings, part_count)) {
+  for (Elements& members : membersOf (nodes, halvings, partCount (nodes.size (), halvings, parts))) {
     KdTree tree = treeOf (graph, nodes, members, execution);
     parts_.push_back ({std::move (members), std::move (tree)});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/sheet_estimate.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 #include <pcl_normal_smoothing/core/thinned_sample.h>
@@ -23,24 +24,25 @@ constexpr double read_surely = .3;
 constexpr double read_if_even = .85;
 // A halving makes the spacing 1.4 times as wide, and the ratio .71 of what it was, two halvings .5; where a part of the noise is hidden,
 // more of it shows.
-constexpr double max_fall = .83;
+constexpr double max_fall = .83, max_first_fall = .79;
 constexpr double max_fall_of_two = .7;
+// The thinnest cloud has too few points to show the ratio fall, but that of a volume is larger.
+constexpr double read_at_last = .32;
 // Where points lie in clumps, as where sweeps of a lidar cross, noise hides in these, and the usual spacing is that of others: less is read.
-// There planes through few points are not those through more, and the ratio hardly falls. In small clouds detail does the same; so
-// a quarter of the cloud has to be a whole sample.
+// There planes through few points are not those through more, and the ratio hardly falls. In small clouds detail does the same.
 constexpr double read_in_clumps = .1;
 constexpr double max_fall_in_clumps = .92;
-constexpr std::size_t least_to_quarter = 4 * noise_sample_size;
+constexpr std::size_t least_to_quarter = noise_sample_size;
+constexpr std::size_t least_of_clumps = 4 * noise_sample_size;
 constexpr double min_share_turned = .06;
 constexpr double max_cosine_turned = .7;
 constexpr double spacing_of_reach = .6267; // of the eighth point, as in the estimate of the noise: sqrt (pi / 8)
-
-double
-ratioOf (const NoiseSample& sample)
-{
-  const NoiseEstimate noise = estimateNoise (sample);
-  return noise.spacing > 0 ? noise.sigma / noise.spacing : 0;
-}
+// To the farthest neighbour, in sigmas: narrower neighbourhoods are lost in the noise; wider ones, up to the second, smooth more where that
+// loses no detail. A quadric that misses a third of sigma in detail leaves 1.05 times as much, and maps with clumps are of rooms and streets.
+constexpr double least_reach = 4.25;
+constexpr double largest_reach = 10.6;
+constexpr double max_growth = 1.05;
+constexpr double halvings_of_flat = 2; // beyond that which shows the noise
 
 Eigen::Vector3d
 planeNormal (const Ways& ways, std::size_t count)
@@ -63,7 +65,18 @@ planesTurn (const NeighborGraph& graph, const Positions& nodes, const Execution&
   return static_cast<double> (turned) > min_share_turned * static_cast<double> (all);
 }
 
-/** The noise as neighbourhoods in a thinner cloud show it. */
+/** Of the largest neighbourhoods, the upper quartile over the sample of what their quadrics leave: a length. */
+double
+upperResidual (const NoiseSample& sample)
+{
+  std::vector<float> variances;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+    if (std::isfinite (residuals.variances.back ()))
+      variances.push_back (residuals.variances.back ());
+  return std::sqrt (quantile (variances, .75));
+}
+
+/** The noise as neighbourhoods in thinner clouds show it. */
 class ThinnedNoise
 {
 public:
@@ -74,10 +87,10 @@ public:
   NoiseSample
   after (int halvings) const
   {
-    const auto length = static_cast<std::uint32_t> (graph_.minRowLength ());
+    const std::uint32_t length = rowLength ();
     if (halvings == 0 || sample_.empty ())
       return sampleNoise (graph_, nodes_, sample_, nodes_.size (), execution_);
-    const ThinnedCloud thinned (graph_, nodes_, halvings, ThinnedCloud::Parts::ONE, execution_);
+    const ThinnedCloud thinned (graph_, nodes_, halvings, ThinnedCloud::Parts::SOME, execution_);
     std::vector<std::uint32_t> rows (sample_.size () * length);
     KdTree::Scratch scratch;
     for (std::size_t s = 0; s < sample_.size (); ++s)
@@ -85,19 +98,42 @@ public:
     return sampleNoise (*graph_.withRows (sample_, rows, length), nodes_, sample_, nodes_.size (), execution_);
   }
 
+  int
+  mostHalvings () const
+  {
+    return ThinnedCloud::mostHalvings (nodes_.size (), ThinnedCloud::least_size);
+  }
+
+  const NoiseEstimate&
+  noise (int halvings)
+  {
+    return shown (halvings).noise;
+  }
+
   /** Of sigma to the spacing. */
   double
   ratio (int halvings)
   {
-    while (ratios_.size () <= static_cast<std::size_t> (halvings))
-      ratios_.push_back (ratioOf (after (static_cast<int> (ratios_.size ()))));
-    return ratios_[static_cast<std::size_t> (halvings)];
+    const NoiseEstimate& of_cloud = noise (halvings);
+    return of_cloud.spacing > 0 ? of_cloud.sigma / of_cloud.spacing : 0;
   }
 
-  bool
-  canBeQuartered () const
+  double
+  residual (int halvings)
   {
-    return nodes_.size () >= least_to_quarter;
+    return shown (halvings).residual;
+  }
+
+  std::size_t
+  size () const
+  {
+    return nodes_.size ();
+  }
+
+  std::uint32_t
+  rowLength () const
+  {
+    return static_cast<std::uint32_t> (graph_.minRowLength ());
   }
 
   bool
@@ -107,11 +143,27 @@ public:
   }
 
 private:
+  struct Shown
+  {
+    NoiseEstimate noise;
+    double residual; // see upperResidual
+  };
+
+  const Shown&
+  shown (int halvings)
+  {
+    while (shown_.size () <= static_cast<std::size_t> (halvings)) {
+      const NoiseSample sample = after (static_cast<int> (shown_.size ()));
+      shown_.push_back ({estimateNoise (sample), upperResidual (sample)});
+    }
+    return shown_[static_cast<std::size_t> (halvings)];
+  }
+
   const NeighborGraph& graph_;
   const Positions& nodes_;
   const Execution& execution_;
   std::vector<std::uint32_t> sample_;
-  std::vector<double> ratios_;
+  std::vector<Shown> shown_; // by the number of halvings
 };
 
 bool
@@ -120,23 +172,50 @@ hidesNoise (ThinnedNoise& noise)
   const double ratio = noise.ratio (0);
   const auto fallsBelow = [&] (double share, int halvings) { return noise.ratio (halvings) < share * ratio; };
   if (ratio > read_surely)
-    return ratio >= read_if_even || !fallsBelow (max_fall, 1) ||
-           (noise.canBeQuartered () && !fallsBelow (max_fall_of_two, 2));
-  return ratio > read_in_clumps && noise.canBeQuartered () && noise.hasTurningPlanes () &&
+    return ratio >= read_if_even || !fallsBelow (max_first_fall, 1) ||
+           (noise.size () >= least_to_quarter && !fallsBelow (max_fall_of_two, 2));
+  return ratio > read_in_clumps && noise.size () >= least_of_clumps && noise.hasTurningPlanes () &&
          (!fallsBelow (max_fall_in_clumps, 1) || !fallsBelow (max_fall_of_two, 2));
 }
 
-/** \return how often the cloud has to be halved, as a whole; 0 where it need not be, or where no surface is seen however often: leaves
-  * and grass stay as they are */
+/** \return how often the cloud has to be halved, as a whole, for its noise to be read; 0 where it need not be, or where no surface is seen
+  * however often: leaves and grass stay as they are */
 int
-halvingsOf (ThinnedNoise& noise, int most)
+halvingsToRead (ThinnedNoise& noise)
 {
+  const int most = noise.mostHalvings ();
   if (most == 0 || !hidesNoise (noise))
     return 0;
   for (int halvings = 1; halvings < most; ++halvings)
     if (noise.ratio (halvings) < read_surely && noise.ratio (halvings + 1) < max_fall * noise.ratio (halvings))
       return halvings;
-  return noise.ratio (0) > read_surely && noise.ratio (most) < read_surely ? most : 0;
+  return noise.ratio (0) > read_surely && noise.ratio (most) < read_at_last ? most : 0;
+}
+
+/** Up to where it is read it is hidden in part; and there, the thinner the cloud the more do quadrics miss for the sake of detail.
+  * \return the most that is seen */
+float
+sigmaOf (ThinnedNoise& noise, int halvings_to_read)
+{
+  float sigma = 0;
+  for (int halvings = 0; halvings <= halvings_to_read; ++halvings)
+    sigma = std::max (sigma, noise.noise (halvings).sigma);
+  return sigma;
+}
+
+/** \return how often the cloud has to be halved, as a whole, for neighbourhoods to smooth it */
+double
+halvingsToSmooth (ThinnedNoise& noise, int halvings_to_read, double sigma)
+{
+  const double reach = noise.noise (halvings_to_read).spacing * std::sqrt (noise.rowLength () / M_PI);
+  const auto halvingsTo = [&] (double sigmas) { return halvings_to_read + 2 * std::log2 (sigmas * sigma / reach); };
+  int without_detail = halvings_to_read;
+  while (without_detail < noise.mostHalvings () &&
+         noise.residual (without_detail + 1) <= max_growth * noise.residual (halvings_to_read))
+    ++without_detail;
+  const bool in_clumps = noise.ratio (0) <= read_surely;
+  const double share = in_clumps ? 1 : std::min (1.0, (without_detail - halvings_to_read) / halvings_of_flat);
+  return (1 - share) * halvingsTo (least_reach) + share * halvingsTo (largest_reach);
 }
 
 /** Close sheets look like wide noise. */
@@ -147,27 +226,28 @@ showsSheets (const NeighborGraph& graph, const Positions& nodes, const NoiseEsti
 }
 } // namespace
 
-RegionalField
+WideNoise
 estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   if (graph.minRowLength () < noise_row_length)
     return {};
   const Execution still = execution.still ();
   ThinnedNoise thinned (graph, nodes, still);
-  const int halvings = halvingsOf (thinned, ThinnedCloud::mostHalvings (nodes.size (), ThinnedCloud::least_size));
-  if (halvings == 0 || showsSheets (graph, nodes, estimateNoise (thinned.after (0)), still))
+  const int to_read = halvingsToRead (thinned);
+  if (to_read == 0 || showsSheets (graph, nodes, thinned.noise (0), still))
     return {};
-  const NoiseSample sample = thinned.after (halvings);
-  const NoiseEstimate noise = estimateNoise (sample);
+  const float sigma = sigmaOf (thinned, to_read);
+  const double to_smooth = halvingsToSmooth (thinned, to_read, sigma);
+  const NoiseEstimate& noise = thinned.noise (to_read);
   std::vector<LocalValue> local;
-  for (const NoiseSample::Residuals& residuals : sample.of_nodes) {
+  for (const NoiseSample::Residuals& residuals : thinned.after (to_read).of_nodes) {
     // Where points lie closer, or there is more noise, they have to be halved more often.
     const double denser =
         noise.spacing / std::max<double> (spacing_of_reach * residuals.distance, 1e-3 * noise.spacing);
-    const double of_place = halvings + 2 * std::log2 (denser * noise.field.factorAt (residuals.place));
+    const double of_place = to_smooth + 2 * std::log2 (denser * noise.field.factorAt (residuals.place));
     local.push_back ({residuals.place, static_cast<float> (std::max (0.0, of_place))});
   }
-  return regionalMedians (local, noise.spacing);
+  return {regionalMedians (local, noise.spacing), sigma};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

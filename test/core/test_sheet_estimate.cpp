@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace
@@ -126,6 +127,18 @@ TEST (SheetEstimateTest, PartsMakeTheWhole)
   EXPECT_GT (expected.gap, 0);
   EXPECT_EQ (actual.gap, expected.gap);
   EXPECT_EQ (actual.sigma, expected.sigma);
+}
+
+TEST (SheetEstimateTest, ASheetLiesAllAround)
+{
+  SheetSample sample =
+      sampleOf (Searched (withNormalNoise (parallelSheets (60, spacing, 1.5f * spacing), .2f * spacing)), .8f * spacing);
+  const auto gapWithSides = [&] (float side) {
+    std::fill (sample.sides.begin (), sample.sides.end (), side);
+    return estimateSheets (sample, .8f * spacing).gap;
+  };
+  EXPECT_GT (gapWithSides (.55f), 0);
+  EXPECT_EQ (gapWithSides (.7f), 0) << "as in a ball inside wide noise";
 }
 
 TEST (SheetEstimateTest, NothingGivesNothing)

@@ -58,40 +58,54 @@ meanDistance (const Vectors& points)
 }
 
 RegionalField
-wideNoiseOf (const Vectors& points, unsigned threads = 2)
+halvingsOf (const Vectors& points, unsigned threads = 2)
 {
   const Searched cloud (points);
-  return estimateWideNoise (*cloud.graph, cloud.nodes, Execution (threads));
+  return estimateWideNoise (*cloud.graph, cloud.nodes, Execution (threads)).halvings;
 }
 
 TEST (WideNoiseTest, NeighbourhoodsGrowWithTheNoise)
 {
   float last = 0;
-  for (const double noise : {0.5, 1.0, 2.0}) {
-    const float halvings = wideNoiseOf (square (noise)).valueAt ({.5f, .5f, 0}, -1);
+  for (const double noise : {0.5, 0.75, 1.1}) {
+    const float halvings = halvingsOf (square (noise)).valueAt ({.5f, .5f, 0}, -1);
     EXPECT_GT (halvings, last + 0.5f) << noise;
     last = halvings;
   }
 }
 
+TEST (WideNoiseTest, DetailKeepsThemNarrow)
+{
+  const auto ofWaves = [] (double length) {
+    Vectors points = square (1);
+    for (Eigen::Vector3f& point : points)
+      point.z () += static_cast<float> (0.1 * length * std::sin (2 * M_PI * point.x () / length));
+    return halvingsOf (points).valueAt ({.5f, .5f, 0}, -1);
+  };
+  const float of_plane = halvingsOf (square (1)).valueAt ({.5f, .5f, 0}, -1);
+  EXPECT_GT (ofWaves (0.15), 0.3f);
+  EXPECT_LT (ofWaves (0.15), of_plane - 1);
+  EXPECT_GT (ofWaves (5), of_plane - 0.5f) << "as wide as the square: no detail";
+}
+
 TEST (WideNoiseTest, OtherCloudsAreAsTheyAre)
 {
-  EXPECT_TRUE (wideNoiseOf (square (0)).regions.empty ());
-  EXPECT_TRUE (wideNoiseOf (square (0.2)).regions.empty ());
+  EXPECT_TRUE (halvingsOf (square (0)).regions.empty ());
+  EXPECT_TRUE (halvingsOf (square (0.2)).regions.empty ());
   for (const double noise : {0.1, 0.3})
-    EXPECT_TRUE (wideNoiseOf (withNoise (sphere (8000, 1).points, noise * 0.04, 1)).regions.empty ()) << noise;
+    EXPECT_TRUE (halvingsOf (withNoise (sphere (8000, 1).points, noise * 0.04, 1)).regions.empty ()) << noise;
 }
 
 TEST (WideNoiseTest, ClumpsHideIt)
 {
-  EXPECT_GT (wideNoiseOf (crossingSweeps (0.006)).valueAt ({.5f, .5f, 0}, -1), 1.5f);
-  EXPECT_GT (wideNoiseOf (crossingSweeps (0.003)).valueAt ({.5f, .5f, 0}, -1), 0.5f);
+  EXPECT_GT (halvingsOf (crossingSweeps (0.006)).valueAt ({.5f, .5f, 0}, -1), 1.5f);
+  EXPECT_GT (halvingsOf (crossingSweeps (0.003)).valueAt ({.5f, .5f, 0}, -1), 0.5f);
 }
 
 TEST (WideNoiseTest, CloseSheetsAreNone)
 {
   for (const float gap : {0.009f, 0.01f, 0.012f})
-    EXPECT_TRUE (wideNoiseOf (withNoise (parallelSheets (80, 0.01f, gap).points, 0.001, 1)).regions.empty ()) << gap;
+    EXPECT_TRUE (halvingsOf (withNoise (parallelSheets (80, 0.01f, gap).points, 0.001, 1)).regions.empty ()) << gap;
 }
 
 TEST (WideNoiseTest, WhatIsNoSurfaceStays)
@@ -99,7 +113,7 @@ TEST (WideNoiseTest, WhatIsNoSurfaceStays)
   Vectors leaves;
   for (std::uint64_t i = 0; i < count; ++i)
     leaves.push_back (Eigen::Vector3d (uniformNoise (1, i), uniformNoise (2, i), uniformNoise (3, i)).cast<float> ());
-  EXPECT_TRUE (wideNoiseOf (leaves).regions.empty ());
+  EXPECT_TRUE (halvingsOf (leaves).regions.empty ());
 }
 
 TEST (WideNoiseTest, ThreadsAndOrderDoNotMatter)
@@ -108,10 +122,10 @@ TEST (WideNoiseTest, ThreadsAndOrderDoNotMatter)
   Vectors shuffled;
   for (const std::uint32_t i : permutation (points.size (), 4))
     shuffled.push_back (points[i]);
-  const std::vector<float> expected = wideNoiseOf (points, 1).values ();
+  const std::vector<float> expected = halvingsOf (points, 1).values ();
   EXPECT_FALSE (expected.empty ());
-  EXPECT_EQ (wideNoiseOf (points, 2).values (), expected);
-  EXPECT_EQ (wideNoiseOf (shuffled).values (), expected);
+  EXPECT_EQ (halvingsOf (points, 2).values (), expected);
+  EXPECT_EQ (halvingsOf (shuffled).values (), expected);
 }
 
 TEST (WideNoiseTest, AllOfTheNoiseIsRead)
@@ -138,7 +152,7 @@ takenOverRead (const Vectors& points)
 TEST (WideNoiseTest, SmoothingTakesItToBeLargerThanItIsRead)
 {
   EXPECT_NEAR (takenOverRead (square (0.2)), 1, 0.01);
-  EXPECT_NEAR (takenOverRead (square (1)), 1.4, 0.01);
+  EXPECT_NEAR (takenOverRead (square (1)), 1.5, 0.01);
 }
 
 TEST (WideNoiseTest, SoItDoesOfEvenPointsWhereItIsReadInPart)
@@ -151,6 +165,13 @@ TEST (WideNoiseTest, SoItDoesOfEvenPointsWhereItIsReadInPart)
   };
   EXPECT_NEAR (takenOverRead (noisySphere (0.3)), 1, 0.01);
   EXPECT_NEAR (takenOverRead (noisySphere (0.8)), 1.6, 0.01);
+}
+
+/** Of a bumpy sphere, from its middle. */
+double
+heightOfBumps (const Eigen::Vector3d& direction)
+{
+  return 1 + 0.05 * std::sin (8 * direction.x ()) * std::sin (8 * direction.y ()) * std::sin (8 * direction.z ());
 }
 
 class WideNoisePresets : public testing::TestWithParam<bool>
@@ -173,6 +194,36 @@ TEST_P (WideNoisePresets, ItIsSmoothed)
     EXPECT_LT (shareLeft (points, k, options), 0.3) << noise;
     options.widen_neighborhoods = false;
     EXPECT_GT (shareLeft (points, k, options), 0.4) << noise << ": the test is of no use";
+  }
+}
+
+/** At random points, with noise in all directions, in spacings; with bumps. */
+Vectors
+bumpySphere (double noise)
+{
+  const double spacing_of_sphere = std::sqrt (4 * M_PI / count);
+  Vectors points;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const double z = 2 * uniformNoise (1, i) - 1, angle = 2 * M_PI * uniformNoise (2, i), in_plane = std::sqrt (1 - z * z);
+    const Eigen::Vector3d direction (in_plane * std::cos (angle), in_plane * std::sin (angle), z);
+    points.push_back ((heightOfBumps (direction) * direction).cast<float> ());
+  }
+  return withNoise (points, noise * spacing_of_sphere, 3);
+}
+
+TEST_P (WideNoisePresets, DetailIsKept)
+{
+  const auto meanOffset = [] (const Vectors& points) {
+    double sum = 0;
+    for (const Eigen::Vector3f& point : points)
+      sum += std::abs (point.cast<double> ().norm () - heightOfBumps (point.cast<double> ().normalized ()));
+    return sum / static_cast<double> (points.size ());
+  };
+  const SmoothingOptions options = wideningOptions (GetParam ());
+  for (const double noise : {0.5, 1.0, 2.0}) {
+    const Vectors points = bumpySphere (noise);
+    const Vectors moved = sum (points, smoothed (asPositions (points), GetParam () ? 16 : 32, options).displacements);
+    EXPECT_LT (meanOffset (moved), (GetParam () ? 0.45 : 0.35) * meanOffset (points)) << noise;
   }
 }
 

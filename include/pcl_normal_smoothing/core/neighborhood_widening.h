@@ -18,7 +18,7 @@ struct Widening
   /** See estimateLines; where there are layers, none are looked for. */
   RegionalField lines;
   /** See estimateWideNoise; where there are layers or lines, none is looked for. */
-  RegionalField wide_noise;
+  WideNoise wide_noise;
   /** Hides noise likewise, but calls for no wider neighbourhoods. */
   CoordinateRounding rounding;
 
@@ -39,7 +39,7 @@ struct Widening
   const RegionalField&
   halvings () const
   {
-    return layers.hasLayers () ? layers.halvings : lines.regions.empty () ? wide_noise : lines;
+    return layers.hasLayers () ? layers.halvings : lines.regions.empty () ? wide_noise.halvings : lines;
   }
 };
 
