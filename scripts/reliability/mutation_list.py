@@ -129,7 +129,6 @@ MUTATIONS = [
     ("wide noise: leaves are a surface", CORE + "wide_noise.cpp", "noise.ratio (most) < read_at_last ? most : 0;", "true ? most : 0;"),
     ("wide noise: detail does not matter", CORE + "wide_noise.cpp", "<= max_growth * noise.residual", "<= 100 * noise.residual"),
     ("wide noise: neighbourhoods are as narrow as can be", CORE + "wide_noise.cpp", "share * halvingsTo (largest_reach)", "share * halvingsTo (least_reach)"),
-    ("wide noise: small clouds have no quarter", CORE + "wide_noise.cpp", "noise.size () >= least_to_quarter &&", "false &&"),
     ("wide noise: the last of a few thinned clouds counts", CORE + "wide_noise.cpp", "sigma = std::max (sigma, noise.noise (halvings).sigma)", "sigma = noise.noise (halvings).sigma"),
     ("wide noise: sigma is not what thinner clouds show", CORE + "noise_estimate.cpp", "widening.wide_noise.sigma > 0 ?", "false ?"),
     ("thinned clouds: only one part", CORE + "thinned_cloud.cpp", "parts == ThinnedCloud::Parts::SOME &&", "false &&"),

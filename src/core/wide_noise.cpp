@@ -29,11 +29,11 @@ constexpr double max_fall_of_two = .7;
 // The thinnest cloud has too few points to show the ratio fall, but that of a volume is larger.
 constexpr double read_at_last = .32;
 // Where points lie in clumps, as where sweeps of a lidar cross, noise hides in these, and the usual spacing is that of others: less is read.
-// There planes through few points are not those through more, and the ratio hardly falls. In small clouds detail does the same.
+// There planes through few points are not those through more, and the ratio hardly falls. In small clouds detail does the same; so
+// a quarter of the cloud has to be a whole sample.
 constexpr double read_in_clumps = .1;
 constexpr double max_fall_in_clumps = .92;
-constexpr std::size_t least_to_quarter = noise_sample_size;
-constexpr std::size_t least_of_clumps = 4 * noise_sample_size;
+constexpr std::size_t least_to_quarter = 4 * noise_sample_size;
 constexpr double min_share_turned = .06;
 constexpr double max_cosine_turned = .7;
 constexpr double spacing_of_reach = .6267; // of the eighth point, as in the estimate of the noise: sqrt (pi / 8)
@@ -172,9 +172,8 @@ hidesNoise (ThinnedNoise& noise)
   const double ratio = noise.ratio (0);
   const auto fallsBelow = [&] (double share, int halvings) { return noise.ratio (halvings) < share * ratio; };
   if (ratio > read_surely)
-    return ratio >= read_if_even || !fallsBelow (max_first_fall, 1) ||
-           (noise.size () >= least_to_quarter && !fallsBelow (max_fall_of_two, 2));
-  return ratio > read_in_clumps && noise.size () >= least_of_clumps && noise.hasTurningPlanes () &&
+    return ratio >= read_if_even || !fallsBelow (max_first_fall, 1);
+  return ratio > read_in_clumps && noise.size () >= least_to_quarter && noise.hasTurningPlanes () &&
          (!fallsBelow (max_fall_in_clumps, 1) || !fallsBelow (max_fall_of_two, 2));
 }
 

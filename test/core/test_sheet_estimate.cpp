@@ -132,7 +132,8 @@ TEST (SheetEstimateTest, PartsMakeTheWhole)
 TEST (SheetEstimateTest, ASheetLiesAllAround)
 {
   SheetSample sample =
-      sampleOf (Searched (withNormalNoise (parallelSheets (60, spacing, 1.5f * spacing), .2f * spacing)), .8f * spacing);
+      sampleOf (Searched (withNormalNoise (parallelSheets (60, spacing, 1.5f * spacing), .2f * spacing)),
+                .8f * spacing);
   const auto gapWithSides = [&] (float side) {
     std::fill (sample.sides.begin (), sample.sides.end (), side);
     return estimateSheets (sample, .8f * spacing).gap;

@@ -204,7 +204,8 @@ bumpySphere (double noise)
   const double spacing_of_sphere = std::sqrt (4 * M_PI / count);
   Vectors points;
   for (std::uint64_t i = 0; i < count; ++i) {
-    const double z = 2 * uniformNoise (1, i) - 1, angle = 2 * M_PI * uniformNoise (2, i), in_plane = std::sqrt (1 - z * z);
+    const double z = 2 * uniformNoise (1, i) - 1, angle = 2 * M_PI * uniformNoise (2, i),
+                 in_plane = std::sqrt (1 - z * z);
     const Eigen::Vector3d direction (in_plane * std::cos (angle), in_plane * std::sin (angle), z);
     points.push_back ((heightOfBumps (direction) * direction).cast<float> ());
   }
