@@ -23,8 +23,9 @@ namespace
 constexpr double read_surely = .3;
 constexpr double read_if_even = .85;
 // A halving makes the spacing 1.4 times as wide, and the ratio .71 of what it was, two halvings .5; where a part of the noise is hidden,
-// more of it shows.
+// more of it shows. That of points at random hardly does above half a spacing; what is read as more is of points spread evenly.
 constexpr double max_fall = .83, max_first_fall = .79;
+constexpr double read_of_even = .67;
 constexpr double max_fall_of_two = .7;
 // The thinnest cloud has too few points to show the ratio fall, but that of a volume is larger.
 constexpr double read_at_last = .32;
@@ -172,7 +173,7 @@ hidesNoise (ThinnedNoise& noise)
   const double ratio = noise.ratio (0);
   const auto fallsBelow = [&] (double share, int halvings) { return noise.ratio (halvings) < share * ratio; };
   if (ratio > read_surely)
-    return ratio >= read_if_even || !fallsBelow (max_first_fall, 1);
+    return ratio >= read_if_even || !fallsBelow (ratio < read_of_even ? max_first_fall : max_fall, 1);
   return ratio > read_in_clumps && noise.size () >= least_to_quarter && noise.hasTurningPlanes () &&
          (!fallsBelow (max_fall_in_clumps, 1) || !fallsBelow (max_fall_of_two, 2));
 }
