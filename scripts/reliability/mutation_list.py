@@ -126,7 +126,7 @@ MUTATIONS = [
      "between == Between::LINES ? sigmaAcrossLines (variances) : ", ""),
     ("wide noise: it is not seen", CORE + "wide_noise.cpp", "most == 0 || !hidesNoise (noise)", "true"),
     ("wide noise: close sheets are some", CORE + "wide_noise.cpp", "if (to_read == 0 || showsSheets", "if (to_read == 0 || false && showsSheets"),
-    ("wide noise: leaves are a surface", CORE + "wide_noise.cpp", "noise.ratio (most) < read_at_last ? most : 0;", "true ? most : 0;"),
+    ("wide noise: leaves are a surface", CORE + "wide_noise.cpp", "noise.ratio (0) > read_surely && is_read ? most : 0;", "true ? most : 0;"),
     ("wide noise: detail does not matter", CORE + "wide_noise.cpp", "<= max_growth * noise.residual", "<= 100 * noise.residual"),
     ("wide noise: neighbourhoods are as narrow as can be", CORE + "wide_noise.cpp", "share * halvingsTo (largest_reach)", "share * halvingsTo (least_reach)"),
     ("wide noise: the last of a few thinned clouds counts", CORE + "wide_noise.cpp", "sigma = std::max (sigma, noise.noise (halvings).sigma)", "sigma = noise.noise (halvings).sigma"),

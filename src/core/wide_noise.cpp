@@ -105,7 +105,7 @@ public:
     return ThinnedCloud::mostHalvings (nodes_.size (), ThinnedCloud::least_size);
   }
 
-  const NoiseEstimate&
+  NoiseEstimate
   noise (int halvings)
   {
     return shown (halvings).noise;
@@ -115,7 +115,7 @@ public:
   double
   ratio (int halvings)
   {
-    const NoiseEstimate& of_cloud = noise (halvings);
+    const NoiseEstimate of_cloud = noise (halvings);
     return of_cloud.spacing > 0 ? of_cloud.sigma / of_cloud.spacing : 0;
   }
 
@@ -189,7 +189,8 @@ halvingsToRead (ThinnedNoise& noise)
   for (int halvings = 1; halvings < most; ++halvings)
     if (noise.ratio (halvings) < read_surely && noise.ratio (halvings + 1) < max_fall * noise.ratio (halvings))
       return halvings;
-  return noise.ratio (0) > read_surely && noise.ratio (most) < read_at_last ? most : 0;
+  const bool is_read = noise.ratio (most) > 0 && noise.ratio (most) < read_at_last; // 0: too few distinct points are left
+  return noise.ratio (0) > read_surely && is_read ? most : 0;
 }
 
 /** Up to where it is read it is hidden in part; and there, the thinner the cloud the more do quadrics miss for the sake of detail.
@@ -238,7 +239,7 @@ estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Exe
     return {};
   const float sigma = sigmaOf (thinned, to_read);
   const double to_smooth = halvingsToSmooth (thinned, to_read, sigma);
-  const NoiseEstimate& noise = thinned.noise (to_read);
+  const NoiseEstimate noise = thinned.noise (to_read);
   std::vector<LocalValue> local;
   for (const NoiseSample::Residuals& residuals : thinned.after (to_read).of_nodes) {
     // Where points lie closer, or there is more noise, they have to be halved more often.
