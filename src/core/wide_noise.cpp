@@ -189,7 +189,8 @@ halvingsToRead (ThinnedNoise& noise)
   for (int halvings = 1; halvings < most; ++halvings)
     if (noise.ratio (halvings) < read_surely && noise.ratio (halvings + 1) < max_fall * noise.ratio (halvings))
       return halvings;
-  const bool is_read = noise.ratio (most) > 0 && noise.ratio (most) < read_at_last; // 0: too few distinct points are left
+  const bool is_read =
+      noise.ratio (most) > 0 && noise.ratio (most) < read_at_last; // 0: too few distinct points are left
   return noise.ratio (0) > read_surely && is_read ? most : 0;
 }
 
