@@ -16,7 +16,7 @@ verticesOf (const CloudFile& file, const Mesh& mesh)
   if (positions.size != mesh.vertices.size ())
     throw core::Error ("the mesh has " + std::to_string (mesh.vertices.size ()) + " vertices, but " + file.path +
                        " has " + std::to_string (positions.size) +
-                       " points: give the cloud whose point i is vertex i of the mesh");
+                       " points: give the cloud whose point i is vertex i of the mesh, or -samples 1");
   Points points;
   for (std::size_t i = 0; i < positions.size; ++i) {
     points.push_back (positions.layout.get (positions.data, i));
@@ -24,6 +24,19 @@ verticesOf (const CloudFile& file, const Mesh& mesh)
       throw core::Error ("point " + std::to_string (i) + " of " + file.path +
                          " is not finite: give a cloud that has a place for every vertex");
   }
+  return points;
+}
+
+Points
+finitePointsOf (const CloudFile& file)
+{
+  const VectorView positions = positionsOf (file);
+  Points points;
+  for (std::size_t i = 0; i < positions.size; ++i)
+    if (const Eigen::Vector3d point = positions.layout.get (positions.data, i); point.allFinite ())
+      points.push_back (point);
+  if (points.empty ())
+    throw core::Error (file.path + " has no finite point");
   return points;
 }
 

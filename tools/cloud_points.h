@@ -17,6 +17,11 @@ using Points = std::vector<Eigen::Vector3d>;
 Points
 verticesOf (const CloudFile& file, const Mesh& mesh);
 
+/** The points of a cloud that are finite, in their order.
+  * \throw core::Error where there are none */
+Points
+finitePointsOf (const CloudFile& file);
+
 /** The normals of a cloud, zero where one is not finite; nothing where it has no fields of normals. */
 std::optional<Points>
 normalsOf (const CloudFile& file);

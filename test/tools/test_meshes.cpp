@@ -220,6 +220,23 @@ TEST_F (Meshes, ErrorsNeedAPointForEveryVertex)
   EXPECT_NE (result.err.find ("399 points"), std::string::npos) << result.err;
 }
 
+TEST_F (Meshes, ErrorsOfAnyPointsOfTheSurface)
+{
+  writeText (path ("samples.pcd"), "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n"
+                                   "0.3 0.21 0.1\nnan nan nan\n0.17 0.4 -0.3\n");
+  writeLifted ("noisy.pcd", -1);
+  const std::string json =
+      succeed ("pcl_smoothing_error plane.off samples.pcd -samples 1 -noisy noisy.pcd -json 1").out;
+  EXPECT_EQ (jsonNumber (json, "n"), 2) << json;
+  EXPECT_NEAR (jsonNumber (json, "p2s_mean"), 0.2, 1e-9) << json;
+  EXPECT_NEAR (jsonNumber (json, "p2s_max"), 0.3, 1e-9) << json;
+  EXPECT_NEAR (jsonNumber (json, "p2s_ratio"), 0.2, 1e-9) << json;
+  EXPECT_TRUE (std::isnan (jsonNumber (json, "E_A"))) << json;
+  writeText (path ("nothing.pcd"), "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n"
+                                   "nan nan nan\n");
+  EXPECT_EQ (run ("pcl_smoothing_error plane.off nothing.pcd -samples 1").status, 3);
+}
+
 TEST_F (Meshes, DoubleTorus)
 {
   succeed ("pcl_make_double_torus torus.ply");
