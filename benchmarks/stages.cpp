@@ -183,7 +183,7 @@ smoothInRounds (benchmark::State& state)
   for (auto _ : state) {
     core::Positions nodes = input.nodes;
     core::Vectors normals = input.normals;
-    core::smoothRobustly (*input.graph, options, core::Execution (threadsOf (state)), nodes, normals);
+    core::smoothRobustly (*input.graph, options, core::Execution (threadsOf (state)), {}, nodes, normals);
   }
   count (state);
 }

@@ -69,8 +69,8 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
   if (normals)
     normals_ = readNodeNormals (*normals, *graph, execution_);
   core::SmoothingOptions options = options_.inUnit (unit_);
-  core::prepareSmoothing (nodes, normals_, execution.still (), graph_, options);
-  core::smooth (graph_, options, research, execution, nodes, normals_);
+  core::prepareSmoothing (normals_, execution.still (), graph_, options, nodes);
+  core::smooth (graph_, options, research, execution, start, nodes, normals_);
   options_ = options.inUnit (1 / unit_);
   displacements_ = core::displacements (start, nodes);
   if (!graph_->copies ().points.empty ())

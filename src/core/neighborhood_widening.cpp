@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/neighborhood_widening.h>
 
+#include <pcl_normal_smoothing/core/quadric_projection.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 
 #include <algorithm>
@@ -52,6 +53,8 @@ estimateWidening (const NeighborGraph& graph, const Positions& nodes, const Exec
 {
   Widening widening;
   widening.rounding = estimateRounding (graph, nodes, execution);
+  if (!haveOneLength (graph))
+    return widening;
   widening.layers = estimateLayers (graph, nodes, execution);
   if (!widening.isNeeded ())
     widening.lines = estimateLines (graph, nodes, execution);
@@ -66,7 +69,7 @@ widenNeighborhoods (const NeighborGraph& graph,
                     const Widening& widening,
                     const Execution& execution)
 {
-  if (!widening.isNeeded () || !haveOneLength (graph))
+  if (widening.halvings ().regions.empty () || !haveOneLength (graph))
     return {};
   const Execution still = execution.still ();
   const std::vector<int> halvings = halvingsOfNodes (widening, nodes, still);
@@ -87,6 +90,16 @@ widenNeighborhoods (const NeighborGraph& graph,
     wide = wide->withRows (changed, rows, length);
   }
   return wide;
+}
+
+NeighborGraph::Ptr
+projectNodes (const NeighborGraph& graph, const Widening& widening, const Execution& execution, Positions& nodes)
+{
+  if (!widening.projects ())
+    return {};
+  const Execution still = execution.still ();
+  projectOntoQuadrics (graph, widening.wide_noise.ratios, still, nodes);
+  return graph.rebuild (nodes, {static_cast<std::uint32_t> (graph.minRowLength ())}, still);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -143,6 +143,8 @@ estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Executi
 {
   const Widening widening = estimateWidening (graph, nodes, execution);
   const NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution), widening.roundingAlone ());
+  if (widening.projects ())
+    return {widening.wide_noise.sigma, noise.spacing, widening.wide_noise.field};
   const auto wide = widenNeighborhoods (graph, nodes, widening, execution);
   if (!wide)
     return noise;
@@ -164,6 +166,8 @@ estimateNoise (const NoiseSample& sample, const Widening& widening)
     return noiseInLayers (sample, widening.layers);
   NoiseEstimate noise = estimateNoise (sample, !widening.lines.regions.empty () ? Between::LINES : Between::NOTHING);
   noise.sigma = widening.wide_noise.sigma > 0 ? widening.wide_noise.sigma : widening.rounding.atLeast (noise.sigma);
+  if (widening.projects ()) // the sample is of points that moved
+    noise.field = widening.wide_noise.field;
   return noise;
 }
 } // namespace core

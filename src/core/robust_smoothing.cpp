@@ -37,6 +37,7 @@ public:
   Rounds (const NeighborGraph& graph,
           const RobustSmoothingOptions& options,
           const Execution& execution,
+          const Vectors& start,
           Positions& positions,
           Vectors& normals)
   : graph_ (graph)
@@ -47,7 +48,7 @@ public:
   , normals_ (normals)
   , schedule_ (chooseSchedule (options))
   , all_normals_ (haveAllNormals (normals))
-  , start_ (startOf (positions))
+  , start_ (start)
   , other_ (graph.size ())
   , moved_ (graph.size (), 0.0f)
   , risks_ (2 * graph.size ())
@@ -228,10 +229,10 @@ private:
   RoundSchedule schedule_;
   bool all_normals_; // no node is without one, now and later
   std::size_t k_ = 0;
-  Vectors start_; // as startOf has it
-  Vectors other_; // what the next stage writes: normals, or offsets
-  Numbers moved_; // along the normals since the first round, from where the risk is measured
-  Numbers risks_; // two a node
+  const Vectors& start_; // as startOf has it
+  Vectors other_;        // what the next stage writes: normals, or offsets
+  Numbers moved_;        // along the normals since the first round, from where the risk is measured
+  Numbers risks_;        // two a node
   Numbers averaged_;
   PaddedVector<std::uint8_t> weights_;
   Numbers variance_factors_; // empty: 1 everywhere
@@ -259,11 +260,12 @@ void
 smoothRobustly (const NeighborGraph& graph,
                 const RobustSmoothingOptions& options,
                 const Execution& execution,
+                const Vectors& start,
                 Positions& positions,
                 Vectors& normals)
 {
   if (graph.size () > 0)
-    Rounds (graph, options, execution, positions, normals).run ();
+    Rounds (graph, options, execution, start, positions, normals).run ();
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

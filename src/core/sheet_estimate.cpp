@@ -15,7 +15,7 @@ namespace core
 {
 namespace
 {
-constexpr double min_share_beside = 0.1;
+constexpr float min_share_beside = 0.1f;
 constexpr double min_peak_over_valley = 1.5;
 // The layers of a depth camera: points of one lie in a plane, but for this part of the step to the next; and that one lies so much
 // to one side (the median of SheetSample::sides), where a sheet lies above.
@@ -107,23 +107,27 @@ sampleSheets (const NeighborGraph& graph,
 SheetEstimate
 estimateSheets (SheetSample sample, float distance)
 {
-  const std::vector<float>& heights = sample.heights;
-  const std::vector<float> far = those (heights, [&] (float height) { return height > distance / 2; });
-  if (static_cast<double> (sample.nodes_beside) < min_share_beside * static_cast<double> (sample.nodes) || far.empty ())
+  if (sample.nodes == 0)
     return {};
+  const std::vector<float>& heights = sample.heights;
+  const float share_beside = static_cast<float> (sample.nodes_beside) / static_cast<float> (sample.nodes);
+  const SheetEstimate none {0, 0, share_beside};
+  const std::vector<float> far = those (heights, [&] (float height) { return height > distance / 2; });
+  if (share_beside < min_share_beside || far.empty ())
+    return none;
   const float gap = quantile (far, .5);
   const auto countAt = [&] (float place) {
     return std::count_if (heights.begin (), heights.end (),
                           [&] (float height) { return std::abs (height - place) < 0.1f * gap; });
   };
   if (static_cast<double> (countAt (gap)) <= min_peak_over_valley * static_cast<double> (countAt (gap / 2)))
-    return {};
+    return none;
   const std::vector<float> near = those (heights, [&] (float height) { return height < gap / 2; });
   // Both points of a pair have noise.
   const float sigma = quantile (near, .5) / (0.6745f * std::sqrt (2.0f));
   if (quantile (sample.sides, .5) > (sigma < least_sigma_of_gap * gap ? side_of_layer : side_of_ball))
-    return {};
-  return {gap, sigma};
+    return none;
+  return {gap, sigma, share_beside};
 }
 
 SheetEstimate

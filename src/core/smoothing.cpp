@@ -90,11 +90,12 @@ smoothByNormals (const NeighborGraph::ConstPtr& graph,
                  const SmoothingOptions& options,
                  const Research& research,
                  const Execution& execution,
+                 const Vectors& start,
                  Positions& positions,
                  Vectors& normals)
 {
   if (options.robust)
-    return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), positions, normals);
+    return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), start, positions, normals);
   filterNormals (*graph, positions, options.filter, execution.part (0.3, 0.7), normals);
   updatePoints (graph, normals, options.update, research, execution.part (0.7, 1), positions);
 }
@@ -104,11 +105,12 @@ smooth (const NeighborGraph::ConstPtr& graph,
         const SmoothingOptions& options,
         const Research& research,
         const Execution& execution,
+        const Vectors& start,
         Positions& positions,
         Vectors& normals)
 {
   requireNormals (estimateFirstNormals (*graph, options, execution, positions, normals));
-  smoothByNormals (graph, options, research, execution, positions, normals);
+  smoothByNormals (graph, options, research, execution, start, positions, normals);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

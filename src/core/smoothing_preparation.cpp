@@ -24,7 +24,7 @@ constexpr float test_spacings = 1.2f;
 constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
 constexpr float sheet_noise_factor = 1.4f;
-// Where noise is wider than the points are apart, none of it should be taken for the surface's; what is smoothed a little more is smooth there.
+// Where neighbourhoods grow with the noise, none of it should be taken for the surface's; what is smoothed a little more is smooth there.
 constexpr float wide_noise_factor = 1.5f;
 // As wide as the points are apart, noise is read as .7 to .9 of what it is, and no wider whatever it is: of the ratio to the spacing, from the
 // first on it may be that wide, from the second on it is taken to be. Where it is .7 it is read in full, but loses nothing by that.
@@ -118,21 +118,20 @@ setNoise (const NoiseEstimate& noise, SmoothingOptions& options)
 class WholeCloud : public SmoothingPreparation
 {
 public:
-  /** \param[in,out] graph kept, as everything else, while this is used */
-  WholeCloud (const Positions& positions,
-              const Vectors& normals,
-              const Execution& execution,
-              NeighborGraph::ConstPtr& graph)
+  /** \param[in,out] positions kept, as everything else, while this is used */
+  WholeCloud (Positions& positions, const Vectors& normals, const Execution& execution, NeighborGraph::ConstPtr& graph)
   : positions_ (positions), normals_ (normals), execution_ (execution), graph_ (graph), mixed_ (graph)
   {}
 
-  /** \return whether neighbourhoods had to grow */
+  /** \return whether neighbourhoods had to grow, or points to be projected */
   bool
   widen ()
   {
     widening_ = estimateWidening (*mixed_, positions_, execution_);
     if (const auto wide = widenNeighborhoods (*mixed_, positions_, widening_, execution_))
       graph_ = mixed_ = wide;
+    else if (const auto projected = projectNodes (*mixed_, widening_, execution_, positions_))
+      graph_ = mixed_ = projected;
     else
       widening_ = widening_.roundingAlone ();
     return widening_.isNeeded ();
@@ -187,7 +186,7 @@ private:
   noiseOf (const NoiseSample& sample) const
   {
     NoiseEstimate noise = estimateNoise (sample, widening_);
-    if (widening_.wide_noise.sigma > 0)
+    if (widening_.wide_noise.sigma > 0 && !widening_.projects ())
       noise.sigma *= wide_noise_factor;
     return noise;
   }
@@ -200,7 +199,7 @@ private:
     return std::max (widening_.rounding.step, steps.empty () ? 0 : *std::max_element (steps.begin (), steps.end ()));
   }
 
-  const Positions& positions_;
+  Positions& positions_;
   const Vectors& normals_;
   const Execution& execution_;
   NeighborGraph::ConstPtr& graph_;
@@ -233,7 +232,7 @@ SmoothingPreparation::complete (SmoothingOptions& options)
   NoiseEstimate noise = estimates ? mixedNoise () : NoiseEstimate ();
   const SheetEstimate seen = sheets (sheetTestDistance (noise, options));
   const bool is_one_sheet =
-      !options.rounds.oriented && !(seen.gap > 0) && (estimates_sheets || std::isinf (options.rounds.sheet_distance));
+      !options.rounds.oriented && !seen.mayBe () && (estimates_sheets || std::isinf (options.rounds.sheet_distance));
   const auto taken = [&] (const NoiseEstimate& read) {
     return NoiseEstimate {is_one_sheet && readsInPart () ? takenSigma (read) : read.sigma, read.spacing, read.field};
   };
@@ -252,14 +251,15 @@ SmoothingPreparation::complete (SmoothingOptions& options)
 }
 
 void
-prepareSmoothing (const Positions& positions,
-                  const Vectors& normals,
+prepareSmoothing (const Vectors& normals,
                   const Execution& execution,
                   NeighborGraph::ConstPtr& graph,
-                  SmoothingOptions& options)
+                  SmoothingOptions& options,
+                  Positions& positions)
 {
   WholeCloud cloud (positions, normals, execution, graph);
-  options.widen_neighborhoods = options.robust && options.widen_neighborhoods && cloud.widen ();
+  const bool moves = options.robust && options.rounds.rounds > 0 && options.rounds.noise.sigma != 0;
+  options.widen_neighborhoods = moves && options.widen_neighborhoods && cloud.widen ();
   cloud.complete (options);
 }
 } // namespace core

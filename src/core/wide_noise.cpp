@@ -3,6 +3,7 @@
 #include <pcl_normal_smoothing/core/noise_estimate.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/sheet_estimate.h>
+#include <pcl_normal_smoothing/core/sheet_test.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 #include <pcl_normal_smoothing/core/thinned_sample.h>
 #include <pcl_normal_smoothing/core/wide_noise.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl_normal_smoothing
 {
@@ -27,6 +29,8 @@ constexpr double read_if_even = .85;
 constexpr double max_fall = .83, max_first_fall = .79;
 constexpr double read_of_even = .67;
 constexpr double max_fall_of_two = .7;
+// All of it in one halving: of sheets farther apart the next one may show more again.
+constexpr double max_fall_at_once = .75;
 // The thinnest cloud has too few points to show the ratio fall, but that of a volume is larger.
 constexpr double read_at_last = .32;
 // Where points lie in clumps, as where sweeps of a lidar cross, noise hides in these, and the usual spacing is that of others: less is read.
@@ -38,12 +42,13 @@ constexpr std::size_t least_to_quarter = 4 * noise_sample_size;
 constexpr double min_share_turned = .06;
 constexpr double max_cosine_turned = .7;
 constexpr double spacing_of_reach = .6267; // of the eighth point, as in the estimate of the noise: sqrt (pi / 8)
-// To the farthest neighbour, in sigmas: narrower neighbourhoods are lost in the noise; wider ones, up to the second, smooth more where that
-// loses no detail. A quadric that misses a third of sigma in detail leaves 1.05 times as much, and maps with clumps are of rooms and streets.
+// To the farthest neighbour, in sigmas: narrower neighbourhoods are lost in the noise. Every halving beyond that which shows the noise makes
+// them wider by the second, where nothing is lost by it: a quadric that misses a third of sigma in detail leaves 1.05 times as much.
+// Maps with clumps are of rooms and streets.
 constexpr double least_reach = 4.25;
-constexpr double largest_reach = 10.6;
+constexpr double growth_of_reach = 1.58;
+constexpr int most_halvings_without_loss = 2;
 constexpr double max_growth = 1.05;
-constexpr double halvings_of_flat = 2; // beyond that which shows the noise
 
 Eigen::Vector3d
 planeNormal (const Ways& ways, std::size_t count)
@@ -186,9 +191,12 @@ halvingsToRead (ThinnedNoise& noise)
   const int most = noise.mostHalvings ();
   if (most == 0 || !hidesNoise (noise))
     return 0;
-  for (int halvings = 1; halvings < most; ++halvings)
-    if (noise.ratio (halvings) < read_surely && noise.ratio (halvings + 1) < max_fall * noise.ratio (halvings))
+  const auto fall = [&] (int halvings) { return noise.ratio (halvings) / noise.ratio (halvings - 1); };
+  for (int halvings = 1; halvings < most; ++halvings) {
+    const bool is_read_at_once = noise.ratio (halvings - 1) >= read_surely && fall (halvings) < max_fall_at_once;
+    if (noise.ratio (halvings) < read_surely && (is_read_at_once || fall (halvings + 1) < max_fall))
       return halvings;
+  }
   const bool is_read =
       noise.ratio (most) > 0 && noise.ratio (most) < read_at_last; // 0: too few distinct points are left
   return noise.ratio (0) > read_surely && is_read ? most : 0;
@@ -205,26 +213,55 @@ sigmaOf (ThinnedNoise& noise, int halvings_to_read)
   return sigma;
 }
 
-/** \return how often the cloud has to be halved, as a whole, for neighbourhoods to smooth it */
-double
-halvingsToSmooth (ThinnedNoise& noise, int halvings_to_read, double sigma)
+/** \return how often the cloud can be halved beyond that which shows the noise, and nothing is lost by neighbourhoods that grow with it */
+int
+halvingsWithoutLoss (ThinnedNoise& noise, int halvings_to_read)
 {
-  const double reach = noise.noise (halvings_to_read).spacing * std::sqrt (noise.rowLength () / M_PI);
-  const auto halvingsTo = [&] (double sigmas) { return halvings_to_read + 2 * std::log2 (sigmas * sigma / reach); };
-  int without_detail = halvings_to_read;
-  while (without_detail < noise.mostHalvings () &&
-         noise.residual (without_detail + 1) <= max_growth * noise.residual (halvings_to_read))
-    ++without_detail;
-  const bool in_clumps = noise.ratio (0) <= read_surely;
-  const double share = in_clumps ? 1 : std::min (1.0, (without_detail - halvings_to_read) / halvings_of_flat);
-  return (1 - share) * halvingsTo (least_reach) + share * halvingsTo (largest_reach);
+  if (noise.ratio (0) <= read_surely) // in clumps
+    return most_halvings_without_loss;
+  const double all = max_growth * noise.residual (halvings_to_read);
+  int halvings = halvings_to_read;
+  while (halvings < std::min (noise.mostHalvings (), halvings_to_read + most_halvings_without_loss) &&
+         noise.residual (halvings + 1) <= all)
+    ++halvings;
+  return halvings - halvings_to_read;
 }
 
-/** Close sheets look like wide noise. */
+/** Close sheets look like wide noise. Seen with 32 neighbours, whatever the rows of the graph. */
 bool
-showsSheets (const NeighborGraph& graph, const Positions& nodes, const NoiseEstimate& noise, const Execution& execution)
+mayBeSheets (const Positions& cloud, const NoiseEstimate& noise, const Execution& execution)
 {
-  return estimateSheets (graph, nodes, std::min (4 * noise.sigma, 1.2f * noise.spacing), execution).gap > 0;
+  const std::vector<std::uint32_t> nodes = sampleNodes (cloud, sheet_sample_size, execution);
+  const Elements start (nodes.begin (), nodes.end ());
+  const auto graph = NeighborGraph::buildAround (cloud, start, sheet_sample_depth, {sheet_row_length}, execution);
+  std::vector<std::uint32_t> sample (start.size ());
+  std::iota (sample.begin (), sample.end (), 0);
+  const float distance = std::min (4 * noise.sigma, 1.2f * noise.spacing);
+  return estimateSheets (sampleSheets (*graph, gather (cloud, graph->order ()), sample, distance, execution), distance)
+      .mayBe ();
+}
+
+/** sigma over the spacing of the whole cloud, by regions. \param[in] shown by a cloud that was halved so often, where \a sigma is usual */
+std::vector<LocalValue>
+localRatios (const NoiseSample& shown, const NoiseEstimate& noise, int halvings, float sigma)
+{
+  std::vector<LocalValue> ratios;
+  for (const NoiseSample::Residuals& residuals : shown.of_nodes) {
+    const double spacing = std::max<double> (spacing_of_reach * residuals.distance, 1e-3 * noise.spacing);
+    const double ratio = sigma * noise.field.factorAt (residuals.place) / spacing * std::exp2 (.5 * halvings);
+    ratios.push_back ({residuals.place, static_cast<float> (ratio)});
+  }
+  return ratios;
+}
+
+/** How often the cloud has to be halved for rows of that length to reach so many sigmas. */
+RegionalField
+halvingsToReach (double sigmas, std::vector<LocalValue> ratios, std::uint32_t row_length, float spacing)
+{
+  const double reach = std::sqrt (row_length / M_PI); // in spacings
+  for (LocalValue& local : ratios)
+    local.value = static_cast<float> (std::max (0.0, 2 * std::log2 (sigmas * local.value / reach)));
+  return regionalMedians (ratios, spacing);
 }
 } // namespace
 
@@ -236,20 +273,17 @@ estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Exe
   const Execution still = execution.still ();
   ThinnedNoise thinned (graph, nodes, still);
   const int to_read = halvingsToRead (thinned);
-  if (to_read == 0 || showsSheets (graph, nodes, thinned.noise (0), still))
+  if (to_read == 0 || mayBeSheets (nodes, thinned.noise (0), still))
     return {};
-  const float sigma = sigmaOf (thinned, to_read);
-  const double to_smooth = halvingsToSmooth (thinned, to_read, sigma);
   const NoiseEstimate noise = thinned.noise (to_read);
-  std::vector<LocalValue> local;
-  for (const NoiseSample::Residuals& residuals : thinned.after (to_read).of_nodes) {
-    // Where points lie closer, or there is more noise, they have to be halved more often.
-    const double denser =
-        noise.spacing / std::max<double> (spacing_of_reach * residuals.distance, 1e-3 * noise.spacing);
-    const double of_place = to_smooth + 2 * std::log2 (denser * noise.field.factorAt (residuals.place));
-    local.push_back ({residuals.place, static_cast<float> (std::max (0.0, of_place))});
-  }
-  return {regionalMedians (local, noise.spacing), sigma};
+  const float sigma = sigmaOf (thinned, to_read);
+  const int without_loss = halvingsWithoutLoss (thinned, to_read);
+  const std::vector<LocalValue> ratios = localRatios (thinned.after (to_read), noise, to_read, sigma);
+  const double usual_ratio = sigma / noise.spacing * std::exp2 (.5 * to_read);
+  if (without_loss == 0 && usual_ratio >= least_ratio_to_project)
+    return {sigma, noise.field, {}, regionalMedians (ratios, noise.spacing)};
+  const double reach = least_reach * std::pow (growth_of_reach, without_loss);
+  return {sigma, noise.field, halvingsToReach (reach, ratios, thinned.rowLength (), noise.spacing), {}};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -49,11 +49,11 @@ smoothed (const Positions& cloud,
   const Execution execution (threads);
   NeighborGraph::ConstPtr graph = NeighborGraph::build (cloud, {k}, execution);
   Positions nodes = gather (cloud, graph->order ());
-  const Vectors start = nodes.offset;
+  const Vectors start = startOf (nodes);
   Vectors of_nodes = normals.empty () ? Vectors () : byNode (normals, *graph);
-  prepareSmoothing (nodes, of_nodes, execution, graph, options);
+  prepareSmoothing (of_nodes, execution, graph, options, nodes);
   const Research research = [&] (const Positions& moved) { return graph->rebuild (moved, {k}, execution); };
-  smooth (graph, options, research, execution, nodes, of_nodes);
+  smooth (graph, options, research, execution, start, nodes, of_nodes);
   return {byPoint (displacements (start, nodes), *graph), byPoint (of_nodes, *graph)};
 }
 

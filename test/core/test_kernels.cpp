@@ -153,6 +153,17 @@ TEST_P (KernelsTest, ResidualsAreTheSameForEveryInstructionSet)
   });
 }
 
+TEST_P (KernelsTest, ProjectionsAreTheSameForEveryInstructionSet)
+{
+  expectAllTheSame ([this] (const Kernels& kernels) {
+    std::vector<float> projected = vectors ();
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
+      kernels.project_points ({nodeArrays (nodes_, normals_), projected.data ()}, rows);
+    });
+    return projected;
+  });
+}
+
 TEST_P (KernelsTest, StepsAreTheSameForEveryInstructionSet)
 {
   for (const bool first_round : {true, false})

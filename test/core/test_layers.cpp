@@ -247,10 +247,10 @@ TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
 TEST (LayersTest, LayersOfAWallThatFacesTheCameraAreNoSheets)
 {
   const double step = 0.065;
-  const Searched cloud (inSteps ([&] (double x, double y) { return 0.05 * x + 0.6 * step * patchNoise (x, y); }, step));
+  Searched cloud (inSteps ([&] (double x, double y) { return 0.05 * x + 0.6 * step * patchNoise (x, y); }, step));
   SmoothingOptions options = wideningOptions (false);
   NeighborGraph::ConstPtr graph = cloud.graph;
-  prepareSmoothing (cloud.nodes, {}, Execution (2), graph, options);
+  prepareSmoothing ({}, Execution (2), graph, options, cloud.nodes);
   ASSERT_TRUE (options.widen_neighborhoods);
   EXPECT_GT (options.rounds.sheet_distance, step);
 }
@@ -259,9 +259,9 @@ TEST (LayersTest, FewNeighboursAreEnough)
 {
   const Vectors points = inSteps (tilted, 0.02);
   SmoothingOptions options = wideningOptions (false);
-  const Searched cloud (points, {8});
+  Searched cloud (points, {8});
   NeighborGraph::ConstPtr graph = cloud.graph;
-  prepareSmoothing (cloud.nodes, {}, Execution (2), graph, options);
+  prepareSmoothing ({}, Execution (2), graph, options, cloud.nodes);
   EXPECT_TRUE (options.widen_neighborhoods);
   EXPECT_GT (options.rounds.noise.sigma, 0.005f);
   EXPECT_LT (options.rounds.noise.field.largestFactor (), 1.5f);

@@ -94,7 +94,7 @@ smoothedNode (const NeighborGraph::ConstPtr& graph,
               std::uint32_t node)
 {
   Vectors normals (graph->size (), Eigen::Vector3f (0.6f, 0, 0.8f)); // for NormalSource::INPUT
-  smooth (graph, options, {}, Execution (2), nodes, normals);
+  smooth (graph, options, {}, Execution (2), startOf (nodes), nodes, normals);
   return {nodes.offset[node], normals[node]};
 }
 

@@ -54,7 +54,7 @@ private:
     const auto has_normal = [&] (std::uint32_t node) { return !std::isnan (region_.normals ()[node].x ()); };
     with_normal_ =
         static_cast<std::uint64_t> (std::count_if (region_.wanted ().begin (), region_.wanted ().end (), has_normal));
-    core::smoothByNormals (region_.graph (), plan_.options, {}, execution_, nodes, region_.normals ());
+    core::smoothByNormals (region_.graph (), plan_.options, {}, execution_, start, nodes, region_.normals ());
     displacements_ = core::displacements (start, nodes);
     std::optional<VectorView> given;
     if (plan_.options.normals == NormalSource::INPUT)

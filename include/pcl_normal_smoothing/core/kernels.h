@@ -97,6 +97,16 @@ struct PointUpdateStep
   float* moved; // out: offsets
 };
 
+/** The most neighbours that project_points looks at. */
+constexpr std::size_t max_projection_neighbors = 128;
+
+/** Moves every node onto a quadric through its neighbours: see core/quadric_projection.h. */
+struct QuadricProjection
+{
+  NodeArrays nodes;
+  float* projected; // out: offsets
+};
+
 /** One fit of the normals: see core/robust_smoothing.h. */
 struct QuadricFitStep
 {
@@ -179,6 +189,7 @@ struct Kernels
   void (*elect_normals) (const NormalVoteStep& step, const BlockRows& rows);
   void (*count_others) (const OtherSheetTest& test, const BlockRows& rows);
   void (*residual_variances) (const NumberOfNodes& variances, const BlockRows& rows);
+  void (*project_points) (const QuadricProjection& projection, const BlockRows& rows);
   void (*fit_normals) (const QuadricFitStep& step, const BlockRows& rows);
   void (*step_risks) (const StepControl& control, const BlockRows& rows);
   void (*averaging_weights) (const StepControl& control, const BlockRows& rows);

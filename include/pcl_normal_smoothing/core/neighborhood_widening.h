@@ -32,7 +32,14 @@ struct Widening
   bool
   isNeeded () const
   {
-    return !halvings ().regions.empty ();
+    return !halvings ().regions.empty () || projects ();
+  }
+
+  /** Neighbourhoods stay as they are, but points are to be projected first. */
+  bool
+  projects () const
+  {
+    return !wide_noise.ratios.regions.empty ();
   }
 
   /** How often the number of points must be halved until neighbourhoods in what is left show the surface. */
@@ -43,18 +50,24 @@ struct Widening
   }
 };
 
-/** Looks at a sample of about 4,096 points.
+/** Looks at a sample of about 4,096 points. Where rows differ in length, for the rounding of coordinates alone.
   * \param[in] graph as for estimateLayers, estimateLines and estimateWideNoise */
 Widening
 estimateWidening (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
 /** Gives every node as many neighbours as it has, but farther away.
-  * \return null where rows stay as they are: they show the surface, or they differ in length, for whoever bounds neighbourhoods
-  * by a radius means it */
+  * \return null where rows stay as they are: they show the surface, or points are to be projected, or rows differ in length, for
+  * whoever bounds neighbourhoods by a radius means it */
 NeighborGraph::Ptr
 widenNeighborhoods (const NeighborGraph& graph,
                     const Positions& nodes,
                     const Widening& widening,
                     const Execution& execution);
+
+/** Projects the nodes where that is what shows the surface, and searches neighbourhoods of the same length again.
+  * \param[in,out] nodes their offsets change
+  * \return null where they stay */
+NeighborGraph::Ptr
+projectNodes (const NeighborGraph& graph, const Widening& widening, const Execution& execution, Positions& nodes);
 } // namespace core
 } // namespace pcl_normal_smoothing

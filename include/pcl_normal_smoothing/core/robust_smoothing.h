@@ -44,12 +44,14 @@ startNormals (const NeighborGraph& graph, const Positions& positions, const Exec
 int
 roundsDepth (const RobustSmoothingOptions& options, int of_normals);
 
-/** \param[in,out] positions of the nodes; their offsets change
+/** \param[in] start offsets of the nodes before anything moved, as startOf tells; what options.max_displacement counts from
+  * \param[in,out] positions of the nodes; their offsets change
   * \param[in,out] normals of the nodes to start from, length 1 or NaN; on return those of the last round */
 void
 smoothRobustly (const NeighborGraph& graph,
                 const RobustSmoothingOptions& options,
                 const Execution& execution,
+                const Vectors& start,
                 Positions& positions,
                 Vectors& normals);
 } // namespace core

@@ -14,6 +14,16 @@ struct SheetEstimate
   float gap = 0;
   /** Standard deviation of the noise by the points of a sheet, as of a Gaussian. */
   float sigma = 0;
+  /** Of the sample: see SheetSample::nodes_beside. */
+  float share_beside = 0;
+
+  /** Seen, or lost in the noise: more nodes see others at another height than in a ball inside the noise of one sheet, where it is
+    * .1 to .46 of them. */
+  bool
+  mayBe () const
+  {
+    return gap > 0 || share_beside > .55f;
+  }
 };
 
 /** What the sample of a cloud tells of its sheets. The samples of its parts make that of the whole, in any order. */

@@ -68,12 +68,14 @@ smoothByNormals (const NeighborGraph::ConstPtr& graph,
                  const SmoothingOptions& options,
                  const Research& research,
                  const Execution& execution,
+                 const Vectors& start,
                  Positions& positions,
                  Vectors& normals);
 
 /** The whole method, Fig. 2 of Valdivia et al. 2013: estimate normals, filter them, move the points to fit them.
   * Or, for options.robust, all of it in rounds.
   * \param[in] options without anything to estimate
+  * \param[in] start as for smoothRobustly
   * \param[in,out] positions of the nodes; their offsets change
   * \param[in,out] normals of the nodes; read only for NormalSource::INPUT; on return those that the points fit
   * \throw Error where no node has a normal */
@@ -82,6 +84,7 @@ smooth (const NeighborGraph::ConstPtr& graph,
         const SmoothingOptions& options,
         const Research& research,
         const Execution& execution,
+        const Vectors& start,
         Positions& positions,
         Vectors& normals);
 } // namespace core

@@ -13,15 +13,17 @@ namespace core
   * another sheet, the noise of the cloud, and what follows from it. Nothing changes for the paper's chain.
   * \param[in] normals read only for NormalSource::INPUT
   * \param[in] execution progress stands still meanwhile
-  * \param[in,out] graph on return with wide neighbourhoods in layers, and without neighbours on other sheets
-  * \param[in,out] options that pass check; on return without anything to estimate, and widening neighbourhoods where these had to be; given again,
-  * they give the same graph */
+  * \param[in,out] graph on return with neighbourhoods that see past layers and noise, and without neighbours on other sheets
+  * \param[in,out] options that pass check; on return without anything to estimate, and widening neighbourhoods where these had to be; given
+  * again, they give the same graph and positions
+  * \param[in,out] positions of the nodes; where the noise is wider than the spacing their offsets change: see
+  * core/quadric_projection.h */
 void
-prepareSmoothing (const Positions& positions,
-                  const Vectors& normals,
+prepareSmoothing (const Vectors& normals,
                   const Execution& execution,
                   NeighborGraph::ConstPtr& graph,
-                  SmoothingOptions& options);
+                  SmoothingOptions& options,
+                  Positions& positions);
 
 /** The order in which the noise and the sheets of a cloud are estimated, each from what was before, for a cloud that is seen as a
   * whole or in tiles. */

@@ -2,21 +2,29 @@
 #pragma once
 
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
-#include <pcl_normal_smoothing/core/regional_field.h>
+#include <pcl_normal_smoothing/core/noise_field.h>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
+/** sigma over the spacing: where it is smaller, a quadric through 32 points follows as much of the surface as of the noise. */
+constexpr float least_ratio_to_project = .75f;
+
 /** Noise so much wider than the spacing, everywhere or where points lie in clumps, that small neighbourhoods are balls inside it, which
   * show neither the surface nor how far the noise goes. */
 struct WideNoise
 {
-  /** How often the number of points must be halved until neighbourhoods show both, by regions of about 4,096 points of a sample. Without
-    * regions: neighbourhoods as they are show them, or none does. */
-  RegionalField halvings;
-  /** Its usual standard deviation, as much thinner clouds show it, in the unit of the positions. */
+  /** Its usual standard deviation, as much thinner clouds show it, in the unit of the positions; 0: no wide noise is seen. */
   float sigma = 0;
+  /** How it varies. */
+  NoiseField field;
+  /** How often the number of points must be halved until neighbourhoods show the surface, by regions of about 4,096 points of a sample.
+    * Without regions where ratios has some. */
+  RegionalField halvings;
+  /** Where such neighbourhoods would lose detail, and points had better be projected (core/quadric_projection.h): the ratio of sigma to
+    * the spacing, likewise. */
+  RegionalField ratios;
 };
 
 /** \param[in] graph its rows have at least 16 points; else nothing is found */

@@ -9,6 +9,7 @@
 #include "plane_votes.h"
 #include "point_update.h"
 #include "quadric_fit.h"
+#include "quadric_projection.h"
 #include "step_control.h"
 
 namespace pcl_normal_smoothing
@@ -114,6 +115,7 @@ const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA),
                        onBlock<NormalVoteStep, electNormals>,
                        onBlock<OtherSheetTest, countOthers>,
                        onBlock<NumberOfNodes, residualVariances>,
+                       onBlock<QuadricProjection, projectPoints>,
                        onBlock<QuadricFitStep, fitNormals>,
                        onBlock<StepControl, stepRisks>,
                        onBlock<StepControl, averagingWeights>,

@@ -40,16 +40,17 @@ capped (Lanes3 displacement, float limit)
 }
 
 /** The neighbours of the lanes' points, the points themselves first, in units of the distance of the farthest. */
-struct LocalPoints
+template <std::size_t max_count>
+struct LocalPointsOf
 {
-  Lanes3 at[max_fit_neighbors];
-  Lanes one[max_fit_neighbors]; // 1, or 0 behind the end of a row
+  Lanes3 at[max_count];
+  Lanes one[max_count]; // 1, or 0 behind the end of a row
   std::size_t count;
   Lanes reach; // distance of the farthest
 
   LANES_INLINE
-  LocalPoints (const NodeArrays& nodes, const BlockRows& rows, const std::uint32_t* own)
-  : count (rows.length < max_fit_neighbors ? rows.length : max_fit_neighbors)
+  LocalPointsOf (const NodeArrays& nodes, const BlockRows& rows, const std::uint32_t* own)
+  : count (rows.length < max_count ? rows.length : max_count)
   {
     const Points points (nodes.base, nodes.offset, own);
     Lanes farthest = {};
@@ -74,24 +75,37 @@ struct LocalPoints
   }
 };
 
-/** Eq. 1: weights 1 / distance over the other points, about their weighted centroid. */
+using LocalPoints = LocalPointsOf<max_fit_neighbors>;
+
+/** The normal of the plane through the points, about their weighted centroid. */
+template <std::size_t max_count>
 LANES_INLINE Lanes3
-weightedPlaneNormal (const LocalPoints& local)
+planeNormal (const LocalPointsOf<max_count>& local, const Lanes* weights)
 {
-  Lanes weights = {}, x = {}, y = {}, z = {}, xx = {}, xy = {}, xz = {}, yy = {}, yz = {}, zz = {};
-  for (std::size_t j = 1; j < local.count; ++j) {
+  Lanes sum = {}, x = {}, y = {}, z = {}, xx = {}, xy = {}, xz = {}, yy = {}, yz = {}, zz = {};
+  for (std::size_t j = 0; j < local.count; ++j) {
     const Lanes3 p = local.at[j];
-    const Lanes sq_dist = dot (p, p);
-    const Lanes weight = sq_dist > 0 ? local.one[j] / squareRoot (maximum (sq_dist, splat (1e-12f))) : splat (0);
-    const Lanes wx = weight * p.x, wy = weight * p.y, wz = weight * p.z;
-    weights += weight;
+    const Lanes wx = weights[j] * p.x, wy = weights[j] * p.y, wz = weights[j] * p.z;
+    sum += weights[j];
     x += wx, y += wy, z += wz;
     xx += wx * p.x, xy += wx * p.y, xz += wx * p.z, yy += wy * p.y, yz += wy * p.z, zz += wz * p.z;
   }
-  const Lanes scale = 1 / maximum (weights, splat (1e-30f));
+  const Lanes scale = 1 / maximum (sum, splat (1e-30f));
   x *= scale, y *= scale, z *= scale;
   return smallestEigenvector (xx * scale - x * x, xy * scale - x * y, xz * scale - x * z, yy * scale - y * y,
                               yz * scale - y * z, zz * scale - z * z);
+}
+
+/** Eq. 1: weights 1 / distance over the other points. */
+LANES_INLINE Lanes3
+weightedPlaneNormal (const LocalPoints& local)
+{
+  Lanes weights[max_fit_neighbors];
+  for (std::size_t j = 0; j < local.count; ++j) {
+    const Lanes sq_dist = dot (local.at[j], local.at[j]);
+    weights[j] = sq_dist > 0 ? local.one[j] / squareRoot (maximum (sq_dist, splat (1e-12f))) : splat (0);
+  }
+  return planeNormal (local, weights);
 }
 
 /** The normals that the rounds start from; NaN where a row has fewer than 3 points or they are all equal. In a row of 3 the two
