@@ -138,6 +138,28 @@ TEST (WideNoiseTest, ThreadsAndOrderDoNotMatter)
   EXPECT_EQ (halvingsOf (shuffled).values (), expected);
 }
 
+/** Of a bumpy sphere, from its middle. */
+double
+heightOfBumps (const Eigen::Vector3d& direction)
+{
+  return 1 + 0.05 * std::sin (8 * direction.x ()) * std::sin (8 * direction.y ()) * std::sin (8 * direction.z ());
+}
+
+/** At random points, with noise in all directions, in spacings; with bumps. */
+Vectors
+bumpySphere (double noise)
+{
+  const double spacing_of_sphere = std::sqrt (4 * M_PI / count);
+  Vectors points;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const double z = 2 * uniformNoise (1, i) - 1, angle = 2 * M_PI * uniformNoise (2, i),
+                 in_plane = std::sqrt (1 - z * z);
+    const Eigen::Vector3d direction (in_plane * std::cos (angle), in_plane * std::sin (angle), z);
+    points.push_back ((heightOfBumps (direction) * direction).cast<float> ());
+  }
+  return withNoise (points, noise * spacing_of_sphere, 3);
+}
+
 TEST (WideNoiseTest, AllOfTheNoiseIsRead)
 {
   for (const double noise : {0.5, 1.0, 2.0}) {
@@ -146,6 +168,9 @@ TEST (WideNoiseTest, AllOfTheNoiseIsRead)
     EXPECT_NEAR (read.sigma / (noise * spacing), 1, 0.2) << noise;
     EXPECT_LT (read.spacing, 3 * spacing) << "of the cloud, not of the wide neighbourhoods";
   }
+  const Searched bumps (bumpySphere (1.5)); // whose points are projected
+  const NoiseEstimate read = estimateNoise (*bumps.graph, bumps.nodes, Execution (2));
+  EXPECT_NEAR (read.sigma / (1.5 * std::sqrt (4 * M_PI) * spacing), 1, 0.2);
 }
 
 /** What the smoothing takes for sigma, over what is read. */
@@ -177,13 +202,6 @@ TEST (WideNoiseTest, SoItDoesOfEvenPointsWhereItIsReadInPart)
   EXPECT_NEAR (takenOverRead (noisySphere (0.8)), 1.6, 0.01);
 }
 
-/** Of a bumpy sphere, from its middle. */
-double
-heightOfBumps (const Eigen::Vector3d& direction)
-{
-  return 1 + 0.05 * std::sin (8 * direction.x ()) * std::sin (8 * direction.y ()) * std::sin (8 * direction.z ());
-}
-
 class WideNoisePresets : public testing::TestWithParam<bool>
 {
 protected:
@@ -205,21 +223,6 @@ TEST_P (WideNoisePresets, ItIsSmoothed)
     options.widen_neighborhoods = false;
     EXPECT_GT (shareLeft (points, k, options), 0.4) << noise << ": the test is of no use";
   }
-}
-
-/** At random points, with noise in all directions, in spacings; with bumps. */
-Vectors
-bumpySphere (double noise)
-{
-  const double spacing_of_sphere = std::sqrt (4 * M_PI / count);
-  Vectors points;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const double z = 2 * uniformNoise (1, i) - 1, angle = 2 * M_PI * uniformNoise (2, i),
-                 in_plane = std::sqrt (1 - z * z);
-    const Eigen::Vector3d direction (in_plane * std::cos (angle), in_plane * std::sin (angle), z);
-    points.push_back ((heightOfBumps (direction) * direction).cast<float> ());
-  }
-  return withNoise (points, noise * spacing_of_sphere, 3);
 }
 
 TEST_P (WideNoisePresets, DetailIsKept)
