@@ -142,7 +142,8 @@ public:
 
   /** Neighbourhoods may be too narrow to show the surface, and any noise: where points lie on the lines of a lidar that turns, or in
     * layers, for their coordinates come in steps, as those of depth cameras do, or where the noise is wider than the points are apart.
-    * Where the cloud shows that, they grow, k as it is. For rounds, and with k nearest neighbours, not where a radius bounds them; wide
+    * Where the cloud shows that, they grow, k as it is; or, in wide noise where they would lose detail, points first move onto quadrics
+    * through 32 to 128 of them. For rounds, and with k nearest neighbours, not where a radius bounds them; wide
     * noise is looked for from k = 16 on. What rounding made of coordinates (voxels, few digits) is looked for too. Default: true. */
   void
   setWidenNeighborhoods (bool widen)
