@@ -133,6 +133,7 @@ MUTATIONS = [
     ("wide noise: of sheets that are not told apart it is taken to be larger", CORE + "smoothing_preparation.cpp", "!seen.mayBe ()", "!(seen.gap > 0)"),
     ("wide noise: points are never projected", CORE + "wide_noise.cpp", "if (without_loss == 0 && usual_ratio", "if (false && usual_ratio"),
     ("wide noise: what points show that are to be projected is all", CORE + "noise_estimate.cpp", "if (widening.projects ())\n    return", "if (false)\n    return"),
+    ("projection: of points whose normals are given too", CORE + "smoothing_preparation.cpp", "may_project = options.normals != NormalSource::INPUT;", "may_project = true;"),
     ("projection: once, whatever is left", CORE + "quadric_projection.cpp", "while (left * usual > ratio_to_repeat)", "while (false)"),
     ("projection: of so few neighbours, whatever the noise", CORE + "quadric_projection.cpp", "std::lround (neighbors_of_ratio * ratio)", "least_neighbors"),
     ("projection: where noise is not wide too", CORE + "quadric_projection.cpp", "if (!(ratio >= least_ratio_to_project))", "if (false)"),

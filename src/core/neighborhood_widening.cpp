@@ -69,7 +69,7 @@ widenNeighborhoods (const NeighborGraph& graph,
                     const Widening& widening,
                     const Execution& execution)
 {
-  if (widening.halvings ().regions.empty () || !haveOneLength (graph))
+  if (!widening.isNeeded () || widening.projects () || !haveOneLength (graph))
     return {};
   const Execution still = execution.still ();
   const std::vector<int> halvings = halvingsOfNodes (widening, nodes, still);

@@ -123,11 +123,14 @@ public:
   : positions_ (positions), normals_ (normals), execution_ (execution), graph_ (graph), mixed_ (graph)
   {}
 
-  /** \return whether neighbourhoods had to grow, or points to be projected */
+  /** \param[in] may_project false: points without a normal may not move, and opposite normals tell sheets apart
+    * \return whether neighbourhoods had to grow, or points to be projected */
   bool
-  widen ()
+  widen (bool may_project)
   {
     widening_ = estimateWidening (*mixed_, positions_, execution_);
+    if (!may_project)
+      widening_.wide_noise.ratios = {};
     if (const auto wide = widenNeighborhoods (*mixed_, positions_, widening_, execution_))
       graph_ = mixed_ = wide;
     else if (const auto projected = projectNodes (*mixed_, widening_, execution_, positions_))
@@ -259,7 +262,8 @@ prepareSmoothing (const Vectors& normals,
 {
   WholeCloud cloud (positions, normals, execution, graph);
   const bool moves = options.robust && options.rounds.rounds > 0 && options.rounds.noise.sigma != 0;
-  options.widen_neighborhoods = moves && options.widen_neighborhoods && cloud.widen ();
+  const bool may_project = options.normals != NormalSource::INPUT;
+  options.widen_neighborhoods = moves && options.widen_neighborhoods && cloud.widen (may_project);
   cloud.complete (options);
 }
 } // namespace core

@@ -280,10 +280,11 @@ estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Exe
   const int without_loss = halvingsWithoutLoss (thinned, to_read);
   const std::vector<LocalValue> ratios = localRatios (thinned.after (to_read), noise, to_read, sigma);
   const double usual_ratio = sigma / noise.spacing * std::exp2 (.5 * to_read);
-  if (without_loss == 0 && usual_ratio >= least_ratio_to_project)
-    return {sigma, noise.field, {}, regionalMedians (ratios, noise.spacing)};
   const double reach = least_reach * std::pow (growth_of_reach, without_loss);
-  return {sigma, noise.field, halvingsToReach (reach, ratios, thinned.rowLength (), noise.spacing), {}};
+  WideNoise wide {sigma, noise.field, halvingsToReach (reach, ratios, thinned.rowLength (), noise.spacing), {}};
+  if (without_loss == 0 && usual_ratio >= least_ratio_to_project)
+    wide.ratios = regionalMedians (ratios, noise.spacing);
+  return wide;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

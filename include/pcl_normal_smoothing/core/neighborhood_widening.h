@@ -32,10 +32,10 @@ struct Widening
   bool
   isNeeded () const
   {
-    return !halvings ().regions.empty () || projects ();
+    return !halvings ().regions.empty ();
   }
 
-  /** Neighbourhoods stay as they are, but points are to be projected first. */
+  /** Neighbourhoods stay as they are, but points are to be projected: see WideNoise::ratios. */
   bool
   projects () const
   {

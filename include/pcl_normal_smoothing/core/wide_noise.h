@@ -19,11 +19,10 @@ struct WideNoise
   float sigma = 0;
   /** How it varies. */
   NoiseField field;
-  /** How often the number of points must be halved until neighbourhoods show the surface, by regions of about 4,096 points of a sample.
-    * Without regions where ratios has some. */
+  /** How often the number of points must be halved until neighbourhoods show the surface, by regions of about 4,096 points of a sample. */
   RegionalField halvings;
-  /** Where such neighbourhoods would lose detail, and points had better be projected (core/quadric_projection.h): the ratio of sigma to
-    * the spacing, likewise. */
+  /** The ratio of sigma to the spacing, likewise, where such neighbourhoods would lose detail: points had better be projected first
+    * (core/quadric_projection.h), and neighbourhoods stay as they are. Else without regions. */
   RegionalField ratios;
 };
 
