@@ -56,10 +56,10 @@ meanOffset (const Vectors& points)
 
 TEST (QuadricProjectionTest, LittleOfTheNoiseIsLeft)
 {
-  for (const double noise : {1, 2, 3, 5}) {
+  for (const double noise : {1, 2, 3, 5}) { // from 3 on by more than one projection
     const Vectors points = saddle (noise);
-    EXPECT_LT (meanOffset (projected (points, everywhere (static_cast<float> (noise)))), 0.4 * meanOffset (points))
-        << noise;
+    const double left = meanOffset (projected (points, everywhere (static_cast<float> (noise)))) / meanOffset (points);
+    EXPECT_LT (left, noise > 2 ? 0.23 : 0.4) << noise;
   }
 }
 

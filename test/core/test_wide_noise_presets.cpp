@@ -56,7 +56,9 @@ TEST_P (WideNoisePresets, ThinPlatesKeepTheirThickness)
 {
   for (const double noise : {0.3, 0.4, 0.5}) {
     const Vectors sheets = parallelSheets (80, 0.01f, 0.02f).points;
-    const Vectors noisy = withNoise (sheets, noise * 0.01, 1);
+    Vectors noisy = sheets;
+    for (std::size_t i = 0; i < noisy.size (); ++i)
+      noisy[i].z () += static_cast<float> (noise * 0.01 * gaussianNoise (1, i));
     const auto meanOffset = [&] (const Vectors& points) {
       double sum = 0;
       for (std::size_t i = 0; i < points.size (); ++i)
@@ -65,7 +67,7 @@ TEST_P (WideNoisePresets, ThinPlatesKeepTheirThickness)
     };
     const std::uint32_t k = GetParam () ? 16 : 32;
     const Vectors moved = sum (noisy, smoothed (asPositions (noisy), k, wideningOptions (GetParam ())).displacements);
-    EXPECT_LT (meanOffset (moved), meanOffset (noisy)) << noise;
+    EXPECT_LT (meanOffset (moved), 0.82 * meanOffset (noisy)) << noise;
   }
 }
 
