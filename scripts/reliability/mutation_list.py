@@ -138,7 +138,6 @@ MUTATIONS = [
     ("projection: of so few neighbours, whatever the noise", CORE + "quadric_projection.cpp", "std::lround (neighbors_of_ratio * ratio)", "least_neighbors"),
     ("projection: where noise is not wide too", CORE + "quadric_projection.cpp", "if (!(ratio >= least_ratio_to_project))", "if (false)"),
     ("projection: the largest displacement counts from there", CORE + "smoothing.cpp", "execution.part (0.3, 1), start, positions", "execution.part (0.3, 1), startOf (positions), positions"),
-    ("wide noise: the last of a few thinned clouds counts", CORE + "wide_noise.cpp", "sigma = std::max (sigma, noise.noise (halvings).sigma)", "sigma = noise.noise (halvings).sigma"),
     ("wide noise: sigma is not what thinner clouds show", CORE + "noise_estimate.cpp", "widening.wide_noise.sigma > 0 ?", "false ?"),
     ("thinned clouds: only one part", CORE + "thinned_cloud.cpp", "parts == ThinnedCloud::Parts::SOME &&", "false &&"),
     ("sheets: balls inside noise are some", CORE + "sheet_estimate.cpp", ": side_of_ball))", ": 1))"),
