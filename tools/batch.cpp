@@ -89,7 +89,7 @@ Batch::isDone (const File& file) const
   if (no_input || no_output || output_time <= input_time)
     return false;
   const Json report = readReport (file.report);
-  return report.value ("options", Json ()) == options_ && report.value ("version", std::string ()) == version ();
+  return report.value ("options", Json ()) == options_ && report.value ("version", Json ()) == version ();
 }
 
 void

@@ -75,8 +75,9 @@ TEST (QuadricProjectionTest, WhereNoiseIsNotWideNodesStay)
   const RegionalField halves {{{Eigen::Vector3f (0, .5f, 0), .1f, 0.1f}, {Eigen::Vector3f (1, .5f, 0), .1f, 2.0f}}};
   const Vectors moved = projected (points, halves);
   for (std::size_t i = 0; i < points.size (); ++i)
-    if (points[i].x () < 0.1f)
+    if (points[i].x () < 0.1f) {
       ASSERT_EQ (moved[i], points[i]);
+    }
   EXPECT_LT (meanOffset (moved), 0.8 * meanOffset (points));
 }
 

@@ -81,6 +81,17 @@ TEST_F (Batch, DoesNotDoAgainWhatIsDone)
   EXPECT_EQ (summary ("-preset fast"), "3 files: 3 smoothed, 0 done before, 0 failed\n");
 }
 
+TEST_F (Batch, DoesAgainWhatAnotherVersionDid)
+{
+  summary ();
+  for (const char* version : {"0", "1", "\"0.0.1\""}) {
+    Json report = Json::parse (contentOf (path ("out.d/a.pcd.json")));
+    report["version"] = Json::parse (version);
+    writeText (path ("out.d/a.pcd.json"), report.dump ());
+    EXPECT_EQ (summary (), "3 files: 1 smoothed, 2 done before, 0 failed\n") << version;
+  }
+}
+
 TEST_F (Batch, GoesOnBehindABadFile)
 {
   writeText (path ("in.d/bad.ply"), "ply\n");

@@ -165,6 +165,17 @@ TEST_F (TilesTrouble, DamagedPlans)
   expectRefused ("run tiles.d", 2, {"is no plan"});
 }
 
+TEST_F (TilesTrouble, PlansOfAnotherVersion)
+{
+  plan ();
+  std::string text = contentOf (path ("tiles.d/plan.json"));
+  const std::size_t at = text.find ("\"version\":");
+  ASSERT_NE (at, std::string::npos) << text;
+  writeText (path ("tiles.d/plan.json"), text.insert (text.find ('"', at + 10) + 1, "0."));
+  expectRefused ("run tiles.d", 2, {"another version"});
+  expectRefused ("merge tiles.d -output out.pcd", 2, {"another version"});
+}
+
 TEST_F (TilesTrouble, SourcesThatChange)
 {
   plan ();

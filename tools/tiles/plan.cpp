@@ -2,11 +2,11 @@
 #include "plan.h"
 
 #include "checksum.h"
+#include "options.h"
 #include "plan_options.h"
 #include "tool_error.h"
 
 #include <cstdio>
-#include <type_traits>
 
 namespace pcl_normal_smoothing
 {
@@ -89,6 +89,7 @@ asJson (const Plan& plan)
   for (const Tile& tile : plan.tiles)
     tiles.push_back ({{"points", tile.points}, {"first_cell", tile.first_cell}, {"cells", tile.cells}});
   return {{"format", format_version},
+          {"version", version ()},
           {"request", plan.request},
           {"points", plan.points},
           {"parameters", plan.parameters},
@@ -128,7 +129,7 @@ fromJson (const Json& json)
   return plan;
 }
 
-static_assert (std::is_trivially_copyable_v<Cell> || sizeof (Cell) == 80, "cells are written as they lie in memory");
+static_assert (sizeof (Cell) == 80, "cells are written as they lie in memory");
 
 std::string_view
 bytesOf (const std::vector<Cell>& cells)
@@ -192,7 +193,7 @@ loadPlan (const std::string& folder)
   const std::string path = planPath (folder);
   try {
     const Json json = Json::parse (readFile (path));
-    if (json.at ("format") != format_version)
+    if (json.at ("format") != format_version || json.at ("version") != version ())
       throw FileError (path, "is of another version of this tool", plan_again);
     Plan plan = fromJson (json);
     plan.folder = folder;

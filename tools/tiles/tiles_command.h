@@ -56,7 +56,6 @@ private:
   PlanRequest request_;
   MergeRequest merge_;
   FormatOption format_;
-  std::vector<std::string> plan_options_;
   std::string tiles_ = "all";
   std::uint64_t memory_ = 0;
 };

@@ -30,7 +30,7 @@ struct NoiseEstimate
 /** Estimates the noise from what quadrics through small neighbourhoods leave, and extrapolates from two sizes of
   * neighbourhood what curvature adds to it. Uses a sample of about 4,096 points that is chosen by a hash of the coordinates,
   * and quantiles, which do not depend on an order: the same cloud gives the same bits in any order. Where points lie in layers or on
-  * lines the neighbourhoods are widened first (core/neighborhood_widening.h).
+  * lines, or noise is wide, wider neighbourhoods tell it (core/neighborhood_widening.h).
   * \param[in] graph where a row has fewer than 16 points, the neighbours are searched again
   * \return sigma 0 where neighbourhoods have fewer than 8 points or no extent */
 NoiseEstimate

@@ -21,7 +21,7 @@ struct NoiseField
     return factors.regions.empty ();
   }
 
-  /** sigma at a place over that of the cloud; 1 far away. */
+  /** sigma at a place over that of the cloud. */
   float
   factorAt (const Eigen::Vector3f& place) const
   {

@@ -20,7 +20,7 @@ struct RegionalField
 
   std::vector<Region> regions;
 
-  /** A mean of the regions, the nearer ones counting for more. \return \a otherwise without regions, or too far from them to tell */
+  /** A mean of all regions, the nearer ones counting for more. \return \a otherwise without regions, or where no weight is above 0 */
   float
   valueAt (const Eigen::Vector3f& place, float otherwise) const;
 
