@@ -41,6 +41,26 @@ planeGrid (int side, float spacing)
 }
 
 Shape
+groovedPlate (double pitch)
+{
+  constexpr int count = 10000;
+  constexpr double width = 4, plastic = 1.324717957244746; // of a groove, and the golden ratio of the plane
+  const double length = pitch + 2;                         // of the paper from one groove to the next
+  const double side = length * std::round (std::sqrt (count) / length);
+  Shape shape;
+  for (int i = 1; i <= count; ++i) {
+    const double u = side * std::fmod (.5 + i / plastic, 1),
+                 v = count / side * std::fmod (.5 + i / plastic / plastic, 1);
+    const double along = std::fmod (u, length), behind = std::max (0., along - width - 1);
+    const double x = std::min (along, width) + std::min (behind, pitch - width) + pitch * std::floor (u / length);
+    const double z = std::clamp (along - width, 0., 1.) - std::max (0., along - pitch - 1);
+    const bool is_wall = (along > width && along < width + 1) || along > pitch + 1;
+    add (shape, {x, v, z}, is_wall ? Eigen::Vector3d::UnitX () : Eigen::Vector3d::UnitZ ());
+  }
+  return shape;
+}
+
+Shape
 sphere (int count, double radius)
 {
   Shape shape;

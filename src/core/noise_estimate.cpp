@@ -72,28 +72,36 @@ enum class Between
   LINES
 };
 
-NoiseField
-fieldOf (const NoiseSample& sample, Between between, const NoiseEstimate& noise)
+/** The variances of neighbourhoods of one size, each at its place. */
+std::vector<LocalValue>
+localVariances (const NoiseSample& sample, const Factors& factors, std::size_t size)
 {
-  const Factors factors = correctionsOf (sample, noise);
-  const std::size_t size = between == Between::LINES ? 1 : smallestToTrust (corrected (sample, factors));
   std::vector<LocalValue> local;
   for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
     if (const float variance = sample.of_nodes[s].variances[size]; std::isfinite (variance))
       local.push_back ({sample.of_nodes[s].place, static_cast<float> (factors[s] * factors[s] * variance)});
-  return estimateNoiseField (local, noise.spacing, noise.sigma / noise.spacing);
+  return local;
+}
+
+NoiseField
+fieldOf (const NoiseSample& sample, Between between, double certainty_of_detail, const NoiseEstimate& noise)
+{
+  const Factors factors = correctionsOf (sample, noise);
+  const std::size_t size = between == Between::LINES ? of_12 : smallestToTrust (corrected (sample, factors));
+  return estimateNoiseField (localVariances (sample, factors, size), noise.spacing, noise.sigma / noise.spacing,
+                             certainty_of_detail);
 }
 
 /** \param[in,out] noise, its spacing and field known */
 void
-estimateSigma (const NoiseSample& sample, Between between, NoiseEstimate& noise)
+estimateSigma (const NoiseSample& sample, Between between, double certainty_of_detail, NoiseEstimate& noise)
 {
   constexpr int iterations = 3;
   double certainty_of_slant = 0;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     const ResidualVariances variances = corrected (sample, correctionsOf (sample, noise));
     if (iteration == 0) // the larger sigma is, the more does density seem to explain
-      certainty_of_slant = certaintyOfSlant (variances);
+      certainty_of_slant = (1 - certainty_of_detail) * certaintyOfSlant (variances);
     const double sigma =
         between == Between::LINES ? sigmaAcrossLines (variances) : sigmaBy (variances, certainty_of_slant);
     noise.sigma = static_cast<float> (sigma * whatQuadricsFollow (sigma / noise.spacing));
@@ -112,10 +120,13 @@ estimateNoise (const NoiseSample& sample, Between between)
     return {};
   NoiseEstimate noise;
   noise.spacing = static_cast<float> (spacing);
-  estimateSigma (sample, between, noise);
-  noise.field = fieldOf (sample, between, noise);
+  const Factors as_they_are (sample.of_nodes.size (), 1);
+  const double detail =
+      between == Between::LINES ? 0 : certaintyOfDetail (localVariances (sample, as_they_are, of_12), noise.spacing);
+  estimateSigma (sample, between, detail, noise);
+  noise.field = fieldOf (sample, between, detail, noise);
   if (!noise.field.isEven ())
-    estimateSigma (sample, between, noise);
+    estimateSigma (sample, between, detail, noise);
   return noise;
 }
 

@@ -21,7 +21,8 @@ using Sample = std::vector<LocalValue>;
 class RegionFinder
 {
 public:
-  RegionFinder (Sample sample, float spacing) : sample_ (std::move (sample)), spacing_ (spacing)
+  RegionFinder (Sample sample, float spacing, double level)
+  : sample_ (std::move (sample)), spacing_ (spacing), level_ (level)
   {
     split (0, sample_.size ());
   }
@@ -63,11 +64,12 @@ private:
       values.push_back (sample_[i].value);
     // Copies of a point have no extent.
     const float reach = std::max (box.diagonal ().norm () / 2, spacing_);
-    regions_.push_back ({box.center (), reach, quantile (values, .5)});
+    regions_.push_back ({box.center (), reach, quantile (values, level_)});
   }
 
   Sample sample_;
   float spacing_;
+  double level_;
   std::vector<RegionalField::Region> regions_;
 };
 } // namespace
@@ -106,9 +108,9 @@ RegionalField::inUnit (double unit) const
 }
 
 RegionalField
-regionalMedians (std::vector<LocalValue> sample, float spacing)
+regionalQuantiles (std::vector<LocalValue> sample, float spacing, double level)
 {
-  return {RegionFinder (std::move (sample), spacing).regions ()};
+  return {RegionFinder (std::move (sample), spacing, level).regions ()};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

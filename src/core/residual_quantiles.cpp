@@ -18,11 +18,9 @@ struct Quantile
   std::array<double, 3> of_chi_square;
 };
 
-constexpr Quantile lowest = {.1, {.1054, .3674, .4865}}, lower = {.25, {.2877, .5758, .6737}},
-                   median = {.5, {.6931, .891, .934}}, upper = {.75, {1.3863, 1.3068, 1.2549}},
-                   highest = {.9, {2.3026, 1.7741, 1.5987}};
-/** Places of the sizes of neighbourhoods. */
-constexpr std::size_t of_8 = 0, of_12 = 1, of_16 = 2;
+constexpr Quantile bottom = {.05, {.0513, .2726, .394}}, lowest = {.1, {.1054, .3674, .4865}},
+                   lower = {.25, {.2877, .5758, .6737}}, median = {.5, {.6931, .891, .934}},
+                   upper = {.75, {1.3863, 1.3068, 1.2549}}, highest = {.9, {2.3026, 1.7741, 1.5987}};
 
 /** The variance of the noise that makes such a quantile. */
 double
@@ -54,6 +52,23 @@ isQuantised (double by_8, double by_12, double by_16)
   return by_12 > 5 * by_8 && by_16 < 1.3 * by_12;
 }
 
+/** How much more quadrics leave of the largest neighbourhoods than of the smallest, as a ratio of sigmas: 1 without detail. */
+double
+growthOf (const Quantile& by, const ResidualVariances& variances)
+{
+  return ratioOfSigmas (varianceBy (by, variances, of_16), varianceBy (by, variances, of_8));
+}
+
+/** Where dense relief spoils the lower quartile too, but below that there is one noise. \return at most \a sigma, of all the others */
+double
+sigmaInRelief (const ResidualVariances& variances, double sigma)
+{
+  const double least = varianceBy (lowest, variances, of_12);
+  const bool is_one_noise = ratioOfSigmas (varianceBy (bottom, variances, of_12), least) > .9;
+  const double certainty = is_one_noise ? std::clamp ((growthOf (lower, variances) - 1.2) / .1, 0.0, 1.0) : 0;
+  return sigma - certainty * std::max (0.0, sigma - 1.15 * std::sqrt (least));
+}
+
 /** Edges spoil the upper quantiles, other sheets all but the lower ones: the least of them. */
 double
 leastSigma (const ResidualVariances& variances)
@@ -64,7 +79,7 @@ leastSigma (const ResidualVariances& variances)
   const double middle =
       extrapolated (varianceBy (median, variances, of_8), varianceBy (median, variances, of_12), .3, 2.5);
   const double high = extrapolated (varianceBy (upper, variances, of_8), varianceBy (upper, variances, of_16), .4, 3);
-  return std::sqrt (std::min ({1.1 * low, 1.05 * middle, std::max (high, .75 * least)}));
+  return sigmaInRelief (variances, std::sqrt (std::min ({1.1 * low, 1.05 * middle, std::max (high, .75 * least)})));
 }
 
 /** Of surfaces that face the rays, on the large side: slanting ones are no worse for it. Outliers do not reach the median. */
@@ -94,9 +109,8 @@ certaintyOfSlant (const ResidualVariances& variances)
   const auto below = [] (double ratio, double most, double width) {
     return std::clamp ((most - ratio) / width, 0.0, 1.0);
   };
-  const double of_sizes = ratioOfSigmas (varianceBy (highest, variances, of_16), varianceBy (highest, variances, of_8));
   return below (between (lower, upper, of_12), .92, .05) * below (between (lowest, lower, of_8), .96, .08) *
-         below (of_sizes, 1.22, .08);
+         below (growthOf (highest, variances), 1.22, .08);
 }
 
 double

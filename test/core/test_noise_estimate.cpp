@@ -90,6 +90,15 @@ TEST (NoiseEstimateTest, OutliersAreNoNoise)
   }
 }
 
+TEST (NoiseEstimateTest, ShallowReliefIsNoNoise)
+{
+  for (const double noise : {0.02, 0.05}) {
+    const double read = estimateOf (noisy (groovedPlate (10), noise)).sigma;
+    EXPECT_GT (read, 0.75 * noise) << noise;
+    EXPECT_LT (read, 2 * noise) << noise;
+  }
+}
+
 TEST (NoiseEstimateTest, CopiesOfPointsAreNoNoise)
 {
   const Vectors points = noisy (planeGrid (40, 0.01f), 0.002);

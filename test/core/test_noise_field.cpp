@@ -69,6 +69,33 @@ TEST (NoiseFieldTest, EvenNoiseHasHardlyAny)
       }
 }
 
+TEST (NoiseFieldTest, DetailInsideOfRegionsIsNoNoiseThatVaries)
+{
+  for (const double pitch : {10, 14, 20})
+    for (const double sigma : {0.01, 0.02, 0.05}) {
+      const auto even = [&] (const Eigen::Vector3f&) { return sigma; };
+      EXPECT_TRUE (estimateOf (noisy (groovedPlate (pitch), even)).field.isEven ()) << pitch << ' ' << sigma;
+    }
+}
+
+TEST (NoiseFieldTest, OneNoiseIsNoDetail)
+{
+  std::vector<LocalValue> variances;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    float sum = 0; // of chi-square by six degrees of freedom
+    for (std::uint64_t seed = 0; seed < 6; ++seed)
+      sum += static_cast<float> (std::pow (gaussianNoise (seed, i), 2));
+    variances.push_back ({Eigen::Vector3f (static_cast<float> (i), 0, 0), sum});
+  }
+  EXPECT_EQ (certaintyOfDetail (variances, 1), 0);
+  for (LocalValue& variance : variances) // noise that varies from region to region
+    variance.value *= 1 + 1e-3f * variance.place.x ();
+  EXPECT_EQ (certaintyOfDetail (variances, 1), 0);
+  for (std::size_t i = 0; i < variances.size (); i += 3)
+    variances[i].value *= 25;
+  EXPECT_EQ (certaintyOfDetail (variances, 1), 1);
+}
+
 TEST (NoiseFieldTest, OrderDoesNotMatter)
 {
   Vectors points = noisy (planeGrid (80, 0.01f), [] (const Eigen::Vector3f& p) { return 0.001 + 0.005 * p.x (); });

@@ -42,12 +42,22 @@ struct NoiseField
   }
 };
 
+/** How sure it is, 0 to 1, that what quadrics leave is detail and not noise: it differs more inside of regions than one noise would.
+  * \param[in] variances of the 12 nearest, what a sample of the whole cloud shows, in any order: at least one point
+  * \param[in] spacing between neighbouring points, > 0 */
+double
+certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing);
+
 /** \param[in] variances what a sample of the whole cloud shows, in any order
   * \param[in] spacing between neighbouring points, > 0
   * \param[in] ratio sigma over it: the smaller, the more must regions differ, for detail looks like noise
+  * \param[in] certainty_of_detail 0 to 1: so much less do regions count
   * \return the factor 1 is the median of the sample; no regions where they hardly differ, or the sample is too small to tell */
 NoiseField
-estimateNoiseField (const std::vector<LocalValue>& variances, float spacing, double ratio);
+estimateNoiseField (const std::vector<LocalValue>& variances,
+                    float spacing,
+                    double ratio,
+                    double certainty_of_detail = 0);
 
 /** The field of a noise that is as much larger in a region as its value is larger than \a usual. */
 NoiseField

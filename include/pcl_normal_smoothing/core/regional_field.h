@@ -3,6 +3,8 @@
 
 #include <pcl_normal_smoothing/core/positions.h>
 
+#include <utility>
+
 namespace pcl_normal_smoothing
 {
 namespace core
@@ -39,10 +41,17 @@ struct LocalValue
   float value;
 };
 
-/** The medians over regions of 64 to 127 points of a sample, or all where it has fewer.
+/** A quantile over regions of 64 to 127 points of a sample, or all where it has fewer.
   * \param[in] sample at least one point, in any order
-  * \param[in] spacing between neighbouring points, > 0 */
+  * \param[in] spacing between neighbouring points, > 0
+  * \param[in] level 0 to 1, that of the median for .5 */
 RegionalField
-regionalMedians (std::vector<LocalValue> sample, float spacing);
+regionalQuantiles (std::vector<LocalValue> sample, float spacing, double level);
+
+inline RegionalField
+regionalMedians (std::vector<LocalValue> sample, float spacing)
+{
+  return regionalQuantiles (std::move (sample), spacing, .5);
+}
 } // namespace core
 } // namespace pcl_normal_smoothing

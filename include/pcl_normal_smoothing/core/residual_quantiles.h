@@ -12,7 +12,10 @@ namespace core
 /** What quadrics through the 8, 12 and 16 nearest leave about many points, each as a variance in the square of the positions' unit. */
 using ResidualVariances = std::array<std::vector<float>, 3>;
 
-/** The smallest neighbourhoods that tell of the noise, 0 or 1: coordinates in steps as large as the noise (depth cameras) often put
+/** Their places in ResidualVariances. */
+constexpr std::size_t of_8 = 0, of_12 = 1, of_16 = 2;
+
+/** The smallest neighbourhoods that tell of the noise, of_8 or of_12: coordinates in steps as large as the noise (depth cameras) often put
   * the eight nearest in one plane exactly. */
 std::size_t
 smallestToTrust (const ResidualVariances& variances);
