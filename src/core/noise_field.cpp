@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/noise_field.h>
+#include <pcl_normal_smoothing/core/noise_sample.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 
 #include <algorithm>
@@ -30,6 +31,8 @@ constexpr double spread_to_trust = .4;
 // sigmas that is detail's; cameras and scanners show up to 1.16.
 constexpr float spread_of_noise = 2.27f;
 constexpr double spread_of_detail = 1.2;
+// Regions of smaller clouds are so large a part of them that noise and curvature vary inside; a hash does not choose a sample to the point.
+constexpr std::size_t least_to_see_detail = noise_sample_size * 3 / 4;
 
 /** 0: the regions differ by chance. */
 double
@@ -58,6 +61,8 @@ NoiseField::largestFactor () const
 double
 certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing)
 {
+  if (variances.size () < least_to_see_detail)
+    return 0;
   const std::vector<float> upper = regionalQuantiles (variances, spacing, .75).values (),
                            lower = regionalQuantiles (variances, spacing, .25).values ();
   std::vector<float> spreads;

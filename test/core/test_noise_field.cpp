@@ -81,7 +81,7 @@ TEST (NoiseFieldTest, DetailInsideOfRegionsIsNoNoiseThatVaries)
 TEST (NoiseFieldTest, OneNoiseIsNoDetail)
 {
   std::vector<LocalValue> variances;
-  for (std::uint64_t i = 0; i < 2000; ++i) {
+  for (std::uint64_t i = 0; i < 4000; ++i) {
     float sum = 0; // of chi-square by six degrees of freedom
     for (std::uint64_t seed = 0; seed < 6; ++seed)
       sum += static_cast<float> (std::pow (gaussianNoise (seed, i), 2));
@@ -94,6 +94,8 @@ TEST (NoiseFieldTest, OneNoiseIsNoDetail)
   for (std::size_t i = 0; i < variances.size (); i += 3)
     variances[i].value *= 25;
   EXPECT_EQ (certaintyOfDetail (variances, 1), 1);
+  variances.resize (2000);
+  EXPECT_EQ (certaintyOfDetail (variances, 1), 0) << "regions are too large a part";
 }
 
 TEST (NoiseFieldTest, OrderDoesNotMatter)

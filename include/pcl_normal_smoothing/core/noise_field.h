@@ -43,7 +43,7 @@ struct NoiseField
 };
 
 /** How sure it is, 0 to 1, that what quadrics leave is detail and not noise: it differs more inside of regions than one noise would.
-  * \param[in] variances of the 12 nearest, what a sample of the whole cloud shows, in any order: at least one point
+  * \param[in] variances of the 12 nearest, what a sample of the whole cloud shows, in any order; 0 for less than three quarters of noise_sample_size
   * \param[in] spacing between neighbouring points, > 0 */
 double
 certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing);
