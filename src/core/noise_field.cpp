@@ -27,10 +27,18 @@ spreadByChance (double ratio)
 // So much more, and the field counts in full; in between it counts in part.
 constexpr double spread_to_trust = .4;
 
-// The upper quartile over the lower, of chi-square by 6 degrees of freedom: what twelve points leave of one noise. From there to that of
-// sigmas that is detail's; cameras and scanners show up to 1.16.
-constexpr float spread_of_noise = 2.27f;
-constexpr double spread_of_detail = 1.2;
+/** What is lower than the upper quartile inside of regions. */
+struct LowerQuantile
+{
+  double level;
+  /** The upper quartile over it, of chi-square by 6 degrees of freedom: what twelve points leave of one noise. */
+  float of_noise;
+  /** More than that, as a ratio of sigmas, is detail's. Noise of cameras and scanners, edges among it: 1.16 and 1.35. */
+  double of_detail;
+};
+
+// Relief that is denser spoils the lower quartile too.
+constexpr LowerQuantile lower_quantiles[] = {{.25, 2.27f, 1.2}, {.1, 3.557f, 1.4}};
 // Regions of smaller clouds are so large a part of them that noise and curvature vary inside; a hash does not choose a sample to the point.
 constexpr std::size_t least_to_see_detail = noise_sample_size * 3 / 4;
 
@@ -63,12 +71,16 @@ certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing)
 {
   if (variances.size () < least_to_see_detail)
     return 0;
-  const std::vector<float> upper = regionalQuantiles (variances, spacing, .75).values (),
-                           lower = regionalQuantiles (variances, spacing, .25).values ();
-  std::vector<float> spreads;
-  for (std::size_t region = 0; region < upper.size (); ++region)
-    spreads.push_back (upper[region] > 0 ? std::sqrt (upper[region] / (spread_of_noise * lower[region])) : 1);
-  return std::clamp ((quantile (spreads, .5) - spread_of_detail) / .1, 0.0, 1.0);
+  const std::vector<float> upper = regionalQuantiles (variances, spacing, .75).values ();
+  double certainty = 0;
+  for (const LowerQuantile& by : lower_quantiles) {
+    const std::vector<float> lower = regionalQuantiles (variances, spacing, by.level).values ();
+    std::vector<float> spreads;
+    for (std::size_t region = 0; region < upper.size (); ++region)
+      spreads.push_back (upper[region] > 0 ? std::sqrt (upper[region] / (by.of_noise * lower[region])) : 1);
+    certainty = std::max (certainty, std::clamp ((quantile (spreads, .5) - by.of_detail) / .1, 0.0, 1.0));
+  }
+  return certainty;
 }
 
 NoiseField

@@ -64,7 +64,7 @@ double
 sigmaInRelief (const ResidualVariances& variances, double sigma)
 {
   const double least = varianceBy (lowest, variances, of_12);
-  const bool is_one_noise = ratioOfSigmas (varianceBy (bottom, variances, of_12), least) > .9;
+  const bool is_one_noise = ratioOfSigmas (varianceBy (bottom, variances, of_12), least) > .85;
   const double certainty = is_one_noise ? std::clamp ((growthOf (lower, variances) - 1.2) / .1, 0.0, 1.0) : 0;
   return sigma - certainty * std::max (0.0, sigma - 1.15 * std::sqrt (least));
 }

@@ -92,10 +92,11 @@ TEST (NoiseEstimateTest, OutliersAreNoNoise)
 
 TEST (NoiseEstimateTest, ShallowReliefIsNoNoise)
 {
-  for (const double noise : {0.02, 0.05}) {
+  for (const double noise : {0.01, 0.02, 0.05}) {
     const double read = estimateOf (noisy (groovedPlate (10), noise)).sigma;
     EXPECT_GT (read, 0.75 * noise) << noise;
     EXPECT_LT (read, 2 * noise) << noise;
+    EXPECT_LT (estimateOf (noisy (groovedPlate (9), noise)).sigma, 4 * noise) << noise;
   }
 }
 
