@@ -27,8 +27,7 @@ presetOptions (SmoothingPreset preset)
   options.rounds.noise = {-1, -1};
   options.rounds.fast = preset == SmoothingPreset::FAST;
   options.rounds.rounds = options.rounds.fast ? 3 : 6;
-  if (!options.rounds.fast)
-    options.rounds.sheet_distance = -1;
+  options.rounds.sheet_distance = -1;
   return options;
 }
 

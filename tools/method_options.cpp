@@ -180,8 +180,7 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
                "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds; "
                "inf: all lie on one",
                "where close sheets are seen 0.36 of their gap, at most min (4 S, 1.2 spacings), S = noise_sigma; where "
-               "layers of a "
-               "depth camera are: inf; else max (4 S, min (4 largest S, 1.2 spacings)); fast: inf",
+               "layers of a depth camera are: inf; else max (4 S, min (4 largest S, 1.2 spacings)), fast: inf",
                [&, length] (const std::string& text) {
                  if (text == no_length)
                    settings.setSheetDistance (std::numeric_limits<double>::infinity ());

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/sheet_estimate.h>
 #include <pcl_normal_smoothing/core/sheet_normals.h>
@@ -79,19 +78,19 @@ SheetSample
 sampleSheets (const NeighborGraph& graph,
               const Positions& positions,
               const std::vector<std::uint32_t>& sample,
-              float distance,
+              const SheetLook& look,
               const Execution& execution)
 {
-  const std::vector<std::uint32_t> around = nodesInRows (graph, sample, sheet_row_length);
-  const Vectors normals = electNormals (graph, positions, distance, &around, execution);
-  const SheetTest test (positions, normals, distance, false);
+  const std::vector<std::uint32_t> around = nodesInRows (graph, sample, look.row_length);
+  const Vectors normals = electNormals (graph, positions, look, &around, execution);
+  const SheetTest test (positions, normals, look.distance, false);
   SheetSample found;
   found.nodes = sample.size ();
   for (const std::uint32_t node : sample) {
     const Row row = graph.row (node);
     std::vector<float> heights;
     OtherNeighbors others;
-    for (std::size_t j = 1; j < std::min (row.size (), sheet_row_length); ++j)
+    for (std::size_t j = 1; j < std::min (row.size (), look.row_length); ++j)
       if (test.areParallel (node, row[j])) {
         const float height = test.height (node, row[j]);
         if (test.isOther (node, row[j], evidence_to_change))
@@ -128,15 +127,6 @@ estimateSheets (SheetSample sample, float distance)
   if (quantile (sample.sides, .5) > (sigma < least_sigma_of_gap * gap ? side_of_layer : side_of_ball))
     return none;
   return {gap, sigma, share_beside};
-}
-
-SheetEstimate
-estimateSheets (const NeighborGraph& graph, const Positions& positions, float distance, const Execution& execution)
-{
-  if (std::isinf (distance))
-    return {};
-  const std::vector<std::uint32_t> sample = sampleNodes (positions, sheet_sample_size, execution);
-  return estimateSheets (sampleSheets (graph, positions, sample, distance, execution), distance);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -63,19 +63,19 @@ nodesInRows (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes
 Vectors
 electNormals (const NeighborGraph& graph,
               const Positions& positions,
-              float distance,
+              const SheetLook& by,
               const std::vector<std::uint32_t>* nodes,
               const Execution& execution)
 {
   std::vector<std::uint32_t> candidates_of;
   if (nodes != nullptr)
-    candidates_of = nodesInRows (graph, *nodes, sheet_row_length);
+    candidates_of = nodesInRows (graph, *nodes, by.row_length);
   Vectors candidates (graph.size ()), elected (graph.size ());
   const NormalOfNodes start {nodeArrays (positions, candidates), candidates.data ()->data ()};
   forEachBlockOf (graph, nodes != nullptr ? &candidates_of : nullptr, start_k, execution,
                   [&] (const BlockRows& rows) { kernels ().start_normals (start, rows); });
-  const NormalVoteStep vote = voteAmong (positions, candidates, distance, elected);
-  forEachBlockOf (graph, nodes, sheet_row_length, execution,
+  const NormalVoteStep vote = voteAmong (positions, candidates, by.distance, elected);
+  forEachBlockOf (graph, nodes, by.row_length, execution,
                   [&] (const BlockRows& rows) { kernels ().elect_normals (vote, rows); });
   return elected;
 }

@@ -33,7 +33,7 @@ nodesBesideOtherSheets (const NeighborGraph& graph,
     forEachBlock (graph, execution, count);
   std::vector<std::uint32_t> found;
   for (std::uint32_t node = 0; node < graph.size (); ++node)
-    if (others[node] >= static_cast<float> (min_other_neighbors))
+    if (others[node] >= static_cast<float> (othersToChange (graph.row (node).size ())))
       found.push_back (node);
   return found;
 }
@@ -102,43 +102,95 @@ private:
   std::vector<std::uint32_t> nodes_;
 };
 
-/** Writes the row of \a node, of sheet_row_length, from the neighbours of its neighbours on its own sheet: the first
-  * sheet_row_length of each, or long rows would take their length squared in time and memory.
-  * \param found for reuse */
-void
-writeOwnSheet (const NeighborGraph& graph,
-               const Positions& positions,
-               const SheetTest& test,
-               std::uint32_t node,
-               NodeSet& found,
-               std::uint32_t* out)
+/** Writes the rows of nodes beside another sheet, from the neighbours of their neighbours on the own one: the first sheet_row_length of
+  * each, or long rows would take their length squared in time and memory. */
+class OwnSheetRows
 {
-  const Row row = graph.row (node);
-  const std::size_t length = std::min (row.size (), sheet_row_length);
-  std::size_t most = 0;
-  for (std::size_t j = 0; j < length; ++j)
-    most += std::min<std::size_t> (graph.blockLength (row[j] / NeighborGraph::block_size), sheet_row_length);
-  found.clear (most);
-  for (std::size_t j = 0; j < length; ++j) {
-    if (j > 0 && test.isOther (node, row[j], evidence_to_drop))
-      continue;
-    const Row further = graph.row (row[j]);
-    for (std::size_t t = 0; t < std::min (further.size (), sheet_row_length); ++t)
-      found.insert (further[t]);
+public:
+  /** \param[in] distance of the test, >= 0 */
+  OwnSheetRows (const NeighborGraph& graph, const Positions& positions, const SheetTest& test, float distance)
+  : graph_ (graph), positions_ (positions), test_ (test), distance_ (distance)
+  {}
+
+  /** \param[out] out of sheet_row_length */
+  void
+  write (std::uint32_t node, std::uint32_t* out)
+  {
+    const float sheet = sheetHeight (node);
+    findAround (node, sheet);
+    std::vector<Neighbor> own_sheet;
+    for (const std::uint32_t other : found_.nodes ())
+      if (other != node && !test_.isOther (node, other, evidence_to_drop, sheet))
+        own_sheet.push_back ({squaredLength (positions_.difference (node, other)), graph_.order ()[other], other});
+    const std::size_t size = std::min (own_sheet.size (), rowLength (node) - 1);
+    const auto end = own_sheet.begin () + static_cast<std::ptrdiff_t> (size);
+    std::nth_element (own_sheet.begin (), end, own_sheet.end ());
+    std::sort (own_sheet.begin (), end);
+    std::fill_n (out, sheet_row_length, node);
+    for (std::size_t j = 0; j < size; ++j)
+      out[j + 1] = own_sheet[j].slot;
   }
 
-  std::vector<Neighbor> own_sheet;
-  for (const std::uint32_t other : found.nodes ())
-    if (other != node && !test.isOther (node, other, evidence_to_drop))
-      own_sheet.push_back ({squaredLength (positions.difference (node, other)), graph.order ()[other], other});
-  const std::size_t size = std::min (own_sheet.size (), length - 1);
-  const auto end = own_sheet.begin () + static_cast<std::ptrdiff_t> (size);
-  std::nth_element (own_sheet.begin (), end, own_sheet.end ());
-  std::sort (own_sheet.begin (), end);
-  std::fill_n (out, sheet_row_length, node);
-  for (std::size_t j = 0; j < size; ++j)
-    out[j + 1] = own_sheet[j].slot;
-}
+private:
+  std::size_t
+  rowLength (std::uint32_t node) const
+  {
+    return std::min (graph_.row (node).size (), sheet_row_length);
+  }
+
+  /** How high the sheet of a node is above it: from the node on to where most of its neighbours are (mean shift). Counted from the node
+    * itself, one between two sheets would be given those that are as far off, and stay there. */
+  float
+  sheetHeight (std::uint32_t node) const
+  {
+    constexpr int steps = 5;
+    constexpr float bandwidth = .6f; // of the distance of the test
+    const Row row = graph_.row (node);
+    const float unit = std::max (bandwidth * distance_, std::numeric_limits<float>::min ());
+    float sheet = 0;
+    for (int step = 0; step < steps; ++step) {
+      float sum = 0, weights = 0;
+      for (std::size_t j = 1; j < rowLength (node); ++j)
+        if (test_.areAlike (node, row[j])) {
+          const float height = test_.height (node, row[j]), weight = bell ((height - sheet) / unit);
+          sum += weight * height;
+          weights += weight;
+        }
+      sheet = weights > 0 ? sum / weights : sheet;
+    }
+    return sheet;
+  }
+
+  /** exp (-x^2 / 2), or as good a bell, of the same bits everywhere. */
+  static float
+  bell (float x)
+  {
+    float power = std::max (1 - x * x / 32, 0.0f);
+    for (int squares = 0; squares < 4; ++squares)
+      power *= power;
+    return power;
+  }
+
+  void
+  findAround (std::uint32_t node, float sheet)
+  {
+    const Row row = graph_.row (node);
+    std::size_t most = 0;
+    for (std::size_t j = 0; j < rowLength (node); ++j)
+      most += rowLength (row[j]);
+    found_.clear (most);
+    for (std::size_t j = 0; j < rowLength (node); ++j)
+      if (j == 0 || !test_.isOther (node, row[j], evidence_to_drop, sheet))
+        for (std::size_t t = 0; t < rowLength (row[j]); ++t)
+          found_.insert (graph_.row (row[j])[t]);
+  }
+
+  const NeighborGraph& graph_;
+  const Positions& positions_;
+  const SheetTest& test_;
+  float distance_;
+  NodeSet found_;
+};
 } // namespace
 
 // The row of a node is written from the rows of its neighbours and the normals of theirs. A normal that is not given depends on
@@ -161,8 +213,9 @@ separateSheets (const NeighborGraph::ConstPtr& graph,
   if (separationDepth (options) < 0)
     return graph;
   const bool oriented = options.oriented_normals != nullptr;
-  Vectors normals =
-      oriented ? *options.oriented_normals : electNormals (*graph, positions, options.distance, nullptr, execution);
+  Vectors normals = oriented
+                        ? *options.oriented_normals
+                        : electNormals (*graph, positions, {options.distance, sheet_row_length}, nullptr, execution);
   const SheetTest test (positions, normals, options.distance, oriented);
   std::vector<std::uint32_t> nodes = nodesBesideOtherSheets (*graph, test, nullptr, execution);
   if (!oriented && !nodes.empty ()) {
@@ -176,9 +229,9 @@ separateSheets (const NeighborGraph::ConstPtr& graph,
   parallelFor (
       nodes.size (), execution,
       [&] (std::size_t begin, std::size_t end) {
-        NodeSet found;
+        OwnSheetRows own_sheets (*graph, positions, test, options.distance);
         for (std::size_t i = begin; i < end; ++i)
-          writeOwnSheet (*graph, positions, test, nodes[i], found, rows.data () + i * sheet_row_length);
+          own_sheets.write (nodes[i], rows.data () + i * sheet_row_length);
       },
       64);
   return graph->withRows (nodes, rows, sheet_row_length);

@@ -16,10 +16,10 @@ namespace
 {
 // Beyond this many standard deviations of the noise no point has any business.
 constexpr float displacement_sigmas = 5;
-// Two points of one sheet hardly lie farther apart across it.
+// Where no sheets are seen: what lies farther off is beside an edge, or on another side of a wall.
 constexpr float sheet_sigmas = 4;
-// Sheets are told apart where they are more than a spacing or so apart, however large the noise seems for their sake.
-constexpr float test_spacings = 1.2f;
+// Where noise varies, no more than that for the sake of its largest.
+constexpr float sheet_spacings = 1.2f;
 // Of the way to another sheet: a point of the own one too few is better than one of the other.
 constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
@@ -50,7 +50,7 @@ float
 sheetSigmas (const NoiseEstimate& noise)
 {
   const float usual = sheet_sigmas * noise.sigma, largest = usual * noise.field.largestFactor ();
-  return std::max (usual, std::min (largest, test_spacings * noise.spacing));
+  return std::max (usual, std::min (largest, sheet_spacings * noise.spacing));
 }
 
 /** The noise has to be estimated. */
@@ -61,14 +61,19 @@ needsNoise (const SmoothingOptions& options)
   return options.noise_varies || !(noise.sigma >= 0 && noise.spacing >= 0);
 }
 
-/** The distance by which sheets are looked for; infinity where they are not to be. */
-float
-sheetTestDistance (const NoiseEstimate& noise, const SmoothingOptions& options)
+/** The distance of the sheets has to be estimated. */
+bool
+needsSheets (const SmoothingOptions& options)
 {
-  const NoiseEstimate known = knownNoise (noise, options);
-  if (options.rounds.oriented || options.rounds.sheet_distance >= 0 || !(known.sigma > 0))
-    return std::numeric_limits<float>::infinity ();
-  return std::min (sheet_sigmas * known.sigma, test_spacings * known.spacing);
+  return options.rounds.sheet_distance < 0 && !options.rounds.oriented;
+}
+
+/** Nothing tells of a second sheet, and nobody says that there may be one. */
+bool
+isOneSheet (const SheetSight& seen, const SmoothingOptions& options)
+{
+  return !options.rounds.oriented && !seen.may_be &&
+         (needsSheets (options) || std::isinf (options.rounds.sheet_distance));
 }
 
 /** Sets the distance of the sheets where it is to be estimated. \return whether anything will move */
@@ -78,9 +83,9 @@ setSheetDistance (const NoiseEstimate& noise, const SheetEstimate& sheets, Smoot
   const NoiseEstimate known = knownNoise (noise, options);
   float& distance = options.rounds.sheet_distance;
   if (sheets.gap > 0)
-    distance = std::min (sheetTestDistance (noise, options), share_of_gap * sheets.gap);
+    distance = std::min (sheetLooks (known.sigma, known.spacing)[0].distance, share_of_gap * sheets.gap);
   else if (distance < 0)
-    distance = sheetSigmas (known);
+    distance = options.rounds.fast ? std::numeric_limits<float>::infinity () : sheetSigmas (known);
   return known.sigma > 0;
 }
 
@@ -147,11 +152,12 @@ protected:
     return noiseOf (sampleNoise (*graph_, positions_, execution_));
   }
 
-  SheetEstimate
-  sheets (float distance) override
+  SheetSight
+  sheets (const SheetLooks& looks) override
   {
-    const SheetEstimate seen = estimateSheets (*graph_, positions_, distance, execution_);
-    return seen.gap < sheet_steps * largestStep () ? SheetEstimate () : seen;
+    const std::vector<std::uint32_t> sample = sampleNodes (positions_, sheet_sample_size, execution_);
+    const SheetSight seen = lookForSheets (*graph_, positions_, sample, looks, execution_);
+    return seen.sheets.gap < sheet_steps * largestStep () ? SheetSight () : seen;
   }
 
   bool
@@ -230,27 +236,35 @@ SmoothingPreparation::complete (SmoothingOptions& options)
 {
   if (!options.robust)
     return;
-  const bool estimates = needsNoise (options);
-  const bool estimates_sheets = options.rounds.sheet_distance < 0 && !options.rounds.oriented;
-  NoiseEstimate noise = estimates ? mixedNoise () : NoiseEstimate ();
-  const SheetEstimate seen = sheets (sheetTestDistance (noise, options));
-  const bool is_one_sheet =
-      !options.rounds.oriented && !seen.mayBe () && (estimates_sheets || std::isinf (options.rounds.sheet_distance));
-  const auto taken = [&] (const NoiseEstimate& read) {
-    return NoiseEstimate {is_one_sheet && readsInPart () ? takenSigma (read) : read.sigma, read.spacing, read.field};
+  const bool needs_noise = needsNoise (options), needs_sheets = needsSheets (options);
+  NoiseEstimate noise = needs_noise ? mixedNoise () : NoiseEstimate ();
+  const NoiseEstimate known = knownNoise (noise, options);
+  const SheetSight seen =
+      needs_sheets && known.sigma > 0 ? sheets (sheetLooks (known.sigma, known.spacing)) : SheetSight ();
+  const bool hides_noise = readsInPart () && isOneSheet (seen, options);
+  const auto taken = [&] (NoiseEstimate read) {
+    read.sigma = hides_noise ? takenSigma (read) : read.sigma;
+    return read;
   };
-  const bool moves = setSheetDistance (taken (noise), seen, options);
+  const bool moves = setSheetDistance (taken (noise), seen.sheets, options);
   const bool changes = moves && separate (options);
-  if (estimates && moves && (changes || seen.gap > 0)) {
-    const NoiseEstimate separated = separatedNoise ();
-    if (estimates_sheets && areLayers (noise, separated, seen)) {
-      mix ();
-      options.rounds.sheet_distance = std::numeric_limits<float>::infinity ();
-    }
-    else
-      noise = chooseNoise (noise, separated, seen);
-  }
+  if (needs_noise && moves && (changes || seen.sheets.gap > 0))
+    noise = noiseOfSheets (noise, seen.sheets, needs_sheets, options);
   setNoise (taken (noise), options);
+}
+
+NoiseEstimate
+SmoothingPreparation::noiseOfSheets (const NoiseEstimate& mixed,
+                                     const SheetEstimate& sheets,
+                                     bool may_be_layers,
+                                     SmoothingOptions& options)
+{
+  const NoiseEstimate separated = separatedNoise ();
+  if (!may_be_layers || !areLayers (mixed, separated, sheets))
+    return chooseNoise (mixed, separated, sheets);
+  mix ();
+  options.rounds.sheet_distance = std::numeric_limits<float>::infinity ();
+  return mixed;
 }
 
 void

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/cloud_thickness.h>
 #include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/noise_estimate.h>
 #include <pcl_normal_smoothing/core/quantile.h>
-#include <pcl_normal_smoothing/core/sheet_estimate.h>
+#include <pcl_normal_smoothing/core/sheet_looks.h>
 #include <pcl_normal_smoothing/core/sheet_test.h>
 #include <pcl_normal_smoothing/core/thinned_cloud.h>
 #include <pcl_normal_smoothing/core/thinned_sample.h>
@@ -31,8 +32,9 @@ constexpr double read_of_even = .67;
 constexpr double max_fall_of_two = .7;
 // All of it in one halving: of sheets farther apart the next one may show more again.
 constexpr double max_fall_at_once = .75;
-// The thinnest cloud has too few points to show the ratio fall, but that of a volume is larger.
-constexpr double read_at_last = .32;
+// The thinnest cloud has too few points to show the ratio fall, but that of a volume is larger; or wide parts are thicker.
+constexpr double read_at_last = .32, read_by_last_two = .335;
+constexpr double max_thickness = .45;
 // Where points lie in clumps, as where sweeps of a lidar cross, noise hides in these, and the usual spacing is that of others: less is read.
 // There planes through few points are not those through more, and the ratio hardly falls. In small clouds detail does the same; so
 // a quarter of the cloud has to be a whole sample.
@@ -142,6 +144,12 @@ public:
     return static_cast<std::uint32_t> (graph_.minRowLength ());
   }
 
+  double
+  thickness () const
+  {
+    return cloudThickness (nodes_, execution_);
+  }
+
   bool
   hasTurningPlanes () const
   {
@@ -197,9 +205,10 @@ halvingsToRead (ThinnedNoise& noise)
     if (noise.ratio (halvings) < read_surely && (is_read_at_once || fall (halvings + 1) < max_fall))
       return halvings;
   }
-  const bool is_read =
-      noise.ratio (most) > 0 && noise.ratio (most) < read_at_last; // 0: too few distinct points are left
-  return noise.ratio (0) > read_surely && is_read ? most : 0;
+  const double last = noise.ratio (most), last_two = .5 * (last + noise.ratio (most - 1));
+  if (noise.ratio (0) <= read_surely || !(last > 0)) // 0: too few distinct points are left
+    return 0;
+  return last < read_at_last || last_two < read_by_last_two || noise.thickness () < max_thickness ? most : 0;
 }
 
 /** Up to where it is read it is hidden in part; and there, the thinner the cloud the more do quadrics miss for the sake of detail.
@@ -236,9 +245,9 @@ mayBeSheets (const Positions& cloud, const NoiseEstimate& noise, const Execution
   const auto graph = NeighborGraph::buildAround (cloud, start, sheet_sample_depth, {sheet_row_length}, execution);
   std::vector<std::uint32_t> sample (start.size ());
   std::iota (sample.begin (), sample.end (), 0);
-  const float distance = std::min (4 * noise.sigma, 1.2f * noise.spacing);
-  return estimateSheets (sampleSheets (*graph, gather (cloud, graph->order ()), sample, distance, execution), distance)
-      .mayBe ();
+  return lookForSheets (*graph, gather (cloud, graph->order ()), sample, sheetLooks (noise.sigma, noise.spacing),
+                        execution)
+      .may_be;
 }
 
 /** sigma over the spacing of the whole cloud, by regions. \param[in] shown by a cloud that was halved so often, where \a sigma is usual */

@@ -22,8 +22,7 @@ robustOptions (bool fast)
   options.rounds.noise = {-1, -1};
   options.rounds.fast = fast;
   options.rounds.rounds = fast ? 3 : 6;
-  if (!fast)
-    options.rounds.sheet_distance = -1;
+  options.rounds.sheet_distance = -1;
   return options;
 }
 

@@ -114,14 +114,14 @@ TEST_P (RobustSmoothingTest, TwoCloseSheetsKeepTheirDistance)
 
 /** Of the p2s, that of two sheets over that of one alone. */
 double
-costOfASecondSheet (float gap, bool oriented)
+costOfASecondSheet (float gap, bool fast, bool oriented)
 {
   constexpr float spacing = 0.02f;
   const Shape one = planeGrid (50, spacing), two = parallelSheets (50, spacing, gap * spacing);
-  SmoothingOptions options = robustOptions (false);
+  SmoothingOptions options = robustOptions (fast);
   const auto distance = [&] (const Shape& shape, const Vectors& start) {
     const Vectors noisy = withNormalNoise (shape, 0.2 * spacing, 5);
-    const Vectors after = sum (noisy, smoothed (asPositions (noisy), 32, options, start).displacements);
+    const Vectors after = sum (noisy, smoothed (asPositions (noisy), fast ? 16 : 32, options, start).displacements);
     double total = 0;
     for (std::size_t i = 0; i < after.size (); ++i)
       total += std::abs ((after[i] - shape.points[i]).dot (shape.normals[i]));
@@ -138,13 +138,27 @@ costOfASecondSheet (float gap, bool oriented)
 TEST (RobustSmoothingOfSheetsTest, ASecondSheetCostsLittle)
 {
   for (const float gap : {1.5f, 1.75f, 2.0f, 3.0f})
-    EXPECT_LT (costOfASecondSheet (gap, false), 1.1) << gap << " spacings apart";
+    EXPECT_LT (costOfASecondSheet (gap, false, false), 1.1) << gap << " spacings apart";
+}
+
+TEST (RobustSmoothingOfSheetsTest, ASecondSheetCostsFastLittle)
+{
+  // Farther apart, hardly any of the 16 nearest lie on the other sheet: they are not seen, and need not be.
+  for (const float gap : {1.5f, 1.75f, 2.0f, 3.0f})
+    EXPECT_LT (costOfASecondSheet (gap, true, false), 1.1) << gap << " spacings apart";
+}
+
+TEST (RobustSmoothingOfSheetsTest, SheetsAsCloseAsTheirPointsAreNotMerged)
+{
+  for (const bool fast : {false, true})
+    for (const float gap : {1.0f, 1.2f})
+      EXPECT_LT (costOfASecondSheet (gap, fast, false), 2.5) << gap << " spacings apart, fast " << fast;
 }
 
 TEST (RobustSmoothingOfSheetsTest, WithOrientedNormalsItCostsNothing)
 {
   for (const float gap : {1.0f, 1.5f, 2.0f, 3.0f})
-    EXPECT_LT (costOfASecondSheet (gap, true), 1.1) << gap << " spacings apart";
+    EXPECT_LT (costOfASecondSheet (gap, false, true), 1.1) << gap << " spacings apart";
 }
 
 TEST_P (RobustSmoothingTest, TheOutlineOfAPatchStays)

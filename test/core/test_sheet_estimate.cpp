@@ -5,6 +5,7 @@
 #include <pcl_normal_smoothing/core/hash_sample.h>
 #include <pcl_normal_smoothing/core/neighbor_graph.h>
 #include <pcl_normal_smoothing/core/sheet_estimate.h>
+#include <pcl_normal_smoothing/core/sheet_test.h>
 
 #include <gtest/gtest.h>
 
@@ -42,8 +43,8 @@ SheetSample
 sampleOf (const Searched& cloud, float distance, unsigned threads = 2)
 {
   const Execution execution (threads);
-  return sampleSheets (*cloud.graph, cloud.nodes, sampleNodes (cloud.nodes, sheet_sample_size, execution), distance,
-                       execution);
+  return sampleSheets (*cloud.graph, cloud.nodes, sampleNodes (cloud.nodes, sheet_sample_size, execution),
+                       {distance, sheet_row_length}, execution);
 }
 
 TEST (SheetEstimateTest, SeesHowFarApartSheetsAreAndTheirNoise)
@@ -52,7 +53,7 @@ TEST (SheetEstimateTest, SeesHowFarApartSheetsAreAndTheirNoise)
   for (const auto& [gap, noise] : sheets) {
     const Searched cloud (withNormalNoise (parallelSheets (60, spacing, gap * spacing), noise * spacing));
     const float distance = std::min (1.2f, 4.5f * noise) * spacing;
-    const SheetEstimate estimate = estimateSheets (*cloud.graph, cloud.nodes, distance, Execution (2));
+    const SheetEstimate estimate = estimateSheets (sampleOf (cloud, distance), distance);
     EXPECT_NEAR (estimate.gap / spacing, gap, .2 * gap);
     EXPECT_NEAR (estimate.sigma / spacing, noise, .25 * noise) << gap << " spacings apart";
   }
@@ -120,8 +121,9 @@ TEST (SheetEstimateTest, PartsMakeTheWhole)
   std::vector<std::uint32_t> parts[2];
   for (const std::uint32_t node : sampleNodes (cloud.nodes, sheet_sample_size, execution))
     parts[node % 3 == 0].push_back (node);
-  SheetSample joined = sampleSheets (*cloud.graph, cloud.nodes, parts[0], distance, execution);
-  joined.join (sampleSheets (*cloud.graph, cloud.nodes, parts[1], distance, execution));
+  const SheetLook look {distance, sheet_row_length};
+  SheetSample joined = sampleSheets (*cloud.graph, cloud.nodes, parts[0], look, execution);
+  joined.join (sampleSheets (*cloud.graph, cloud.nodes, parts[1], look, execution));
   const SheetEstimate expected = estimateSheets (sampleOf (cloud, distance, 1), distance);
   const SheetEstimate actual = estimateSheets (joined, distance);
   EXPECT_GT (expected.gap, 0);

@@ -70,10 +70,13 @@ TEST (WideNoiseTest, CloseSheetsAreNone)
 
 TEST (WideNoiseTest, WhatIsNoSurfaceStays)
 {
-  Vectors leaves;
-  for (std::uint64_t i = 0; i < wide_count; ++i)
-    leaves.push_back (Eigen::Vector3d (uniformNoise (1, i), uniformNoise (2, i), uniformNoise (3, i)).cast<float> ());
-  EXPECT_EQ (wideNoiseOf (leaves).sigma, 0);
+  EXPECT_EQ (wideNoiseOf (leaves (wide_count)).sigma, 0);
+}
+
+TEST (WideNoiseTest, ASurfaceIsSeenInNoiseOfManySpacings)
+{
+  for (const double noise : {2.6, 3.0, 3.5})
+    EXPECT_GT (wideNoiseOf (bumpySphere (noise)).sigma, .8 * noise * std::sqrt (4 * M_PI) * wide_spacing) << noise;
 }
 
 TEST (WideNoiseTest, ThreadsAndOrderDoNotMatter)

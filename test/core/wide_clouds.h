@@ -42,6 +42,16 @@ crossingSweeps (double noise)
   return points;
 }
 
+/** A cube full of points: no surface. */
+inline Vectors
+leaves (std::uint64_t count)
+{
+  Vectors points;
+  for (std::uint64_t i = 0; i < count; ++i)
+    points.push_back (Eigen::Vector3d (uniformNoise (1, i), uniformNoise (2, i), uniformNoise (3, i)).cast<float> ());
+  return points;
+}
+
 /** From the plane z = 0. */
 inline double
 meanDistance (const Vectors& points)

@@ -60,20 +60,19 @@ protected:
     return noise;
   }
 
-  core::SheetEstimate
-  sheets (float distance) override
+  core::SheetSight
+  sheets (const core::SheetLooks& looks) override
   {
-    if (std::isinf (distance))
-      return {};
-    core::SheetSample all;
+    core::SheetSamples all;
     forEachTile (plan_.query, {core::sheet_sample_depth, -1}, [&] (Region& region, const Nodes& wanted) {
       Nodes sample;
       const auto in_sample = core::nodesUpTo (sheet_limit_, region.nodes (), execution_);
       std::set_intersection (in_sample.begin (), in_sample.end (), wanted.begin (), wanted.end (),
                              std::back_inserter (sample));
-      all.join (core::sampleSheets (*region.graph (), region.nodes (), sample, distance, execution_));
+      for (std::size_t i = 0; i < looks.size (); ++i)
+        all[i].join (core::sampleSheets (*region.graph (), region.nodes (), sample, looks[i], execution_));
     });
-    return core::estimateSheets (all, distance);
+    return core::seenSheets (all, looks);
   }
 
   bool

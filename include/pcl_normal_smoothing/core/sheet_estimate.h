@@ -7,6 +7,15 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
+/** How sheets are looked for. */
+struct SheetLook
+{
+  /** That a neighbour on another sheet exceeds. */
+  float distance;
+  /** Neighbours that are asked, the node counted, or the whole row where that is shorter. */
+  std::size_t row_length;
+};
+
 /** What a cloud tells of sheets that are hardly farther apart than its points, in the unit of its positions. */
 struct SheetEstimate
 {
@@ -16,14 +25,6 @@ struct SheetEstimate
   float sigma = 0;
   /** Of the sample: see SheetSample::nodes_beside. */
   float share_beside = 0;
-
-  /** Seen, or lost in the noise: more nodes see others at another height than in a ball inside the noise of one sheet, where it is
-    * .1 to .46 of them. */
-  bool
-  mayBe () const
-  {
-    return gap > 0 || share_beside > .55f;
-  }
 };
 
 /** What the sample of a cloud tells of its sheets. The samples of its parts make that of the whole, in any order. */
@@ -44,13 +45,12 @@ struct SheetSample
 /** Places of which the sample is. */
 constexpr std::size_t sheet_sample_size = 1024;
 
-/** \param[in] sample nodes of the graph; what it tells depends on the rows of nodes up to sheet_sample_depth hops off
-  * \param[in] distance that a neighbour on another sheet exceeds */
+/** \param[in] sample nodes of the graph; what it tells depends on the rows of nodes up to sheet_sample_depth hops off */
 SheetSample
 sampleSheets (const NeighborGraph& graph,
               const Positions& positions,
               const std::vector<std::uint32_t>& sample,
-              float distance,
+              const SheetLook& look,
               const Execution& execution);
 
 /** The normals of the neighbours are elected among those of theirs, which are estimated from their rows. */
@@ -62,9 +62,5 @@ constexpr int sheet_sample_depth = 2;
   * \param[in] distance of the sample */
 SheetEstimate
 estimateSheets (SheetSample sample, float distance);
-
-/** The same for a whole cloud; infinity: sheets are not looked for. */
-SheetEstimate
-estimateSheets (const NeighborGraph& graph, const Positions& positions, float distance, const Execution& execution);
 } // namespace core
 } // namespace pcl_normal_smoothing

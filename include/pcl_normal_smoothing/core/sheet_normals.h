@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/neighbor_graph.h>
+#include <pcl_normal_smoothing/core/sheet_estimate.h>
 
 namespace pcl_normal_smoothing
 {
@@ -14,12 +14,12 @@ nodesInRows (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes
 /** Normals that hold where another sheet of the surface is as close as the points: those of the eight nearest, each node then
   * taking the one of its neighbourhood that most of the points fit. Many a plane fitted to the nearest of both sheets is
   * wrong, but hardly all.
-  * \param[in] distance of the sheets: a point counts by a Gaussian of its height over the plane, of half of it
+  * \param[in] by a point counts by a Gaussian of its height over the plane, of half of the distance
   * \param[in] nodes that get one; null: all */
 Vectors
 electNormals (const NeighborGraph& graph,
               const Positions& positions,
-              float distance,
+              const SheetLook& by,
               const std::vector<std::uint32_t>* nodes,
               const Execution& execution);
 

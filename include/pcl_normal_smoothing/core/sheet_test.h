@@ -17,6 +17,16 @@ constexpr std::size_t sheet_row_length = 32;
 /** So many of them tell that there is one. */
 constexpr int min_other_neighbors = 3;
 
+/** Rows of so few neighbours hold but one or two of another sheet, though these spoil them. */
+constexpr std::size_t short_row_length = 16;
+
+/** \return how many neighbours on another sheet change a row */
+constexpr int
+othersToChange (std::size_t row_length)
+{
+  return row_length > short_row_length ? min_other_neighbors : 1;
+}
+
 /** How sure it must be that a neighbour lies on another sheet: normals are wrong by some slope. */
 struct SheetEvidence
 {
@@ -53,12 +63,20 @@ public:
     return .5f * (way.dot (own) + (own.dot (normal) < 0 ? -way.dot (normal) : way.dot (normal)));
   }
 
+  /** Where j may lie on the sheet of i or on a parallel one, and not on another side of it. */
   bool
-  isOther (std::uint32_t i, std::uint32_t j, const SheetEvidence& evidence) const
+  areAlike (std::uint32_t i, std::uint32_t j) const
   {
-    if (oriented_ && normals_[i].dot (normals_[j]) < 0)
+    return areParallel (i, j) && !areOpposite (i, j);
+  }
+
+  /** \param[in] sheet how high the sheet of i is above it */
+  bool
+  isOther (std::uint32_t i, std::uint32_t j, const SheetEvidence& evidence, float sheet = 0) const
+  {
+    if (areOpposite (i, j))
       return true;
-    const float of_pair = height (i, j);
+    const float of_pair = height (i, j) - sheet;
     return areParallel (i, j) &&
            of_pair * of_pair > evidence.distances * evidence.distances * sq_distance_ +
                                    evidence.slope * evidence.slope * squaredLength (positions_.difference (i, j));
@@ -77,6 +95,12 @@ public:
   }
 
 private:
+  bool
+  areOpposite (std::uint32_t i, std::uint32_t j) const
+  {
+    return oriented_ && normals_[i].dot (normals_[j]) < 0;
+  }
+
   // Sheets are parallel; a neighbour across an edge is none of them.
   static constexpr float min_cosine = .7f;
 

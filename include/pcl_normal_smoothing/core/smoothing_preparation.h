@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/sheet_estimate.h>
+#include <pcl_normal_smoothing/core/sheet_looks.h>
 #include <pcl_normal_smoothing/core/sheet_separation.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 
@@ -51,9 +51,8 @@ protected:
   virtual NoiseEstimate
   mixedNoise () = 0;
 
-  /** \param[in] distance by which sheets are looked for; infinity: not at all */
-  virtual SheetEstimate
-  sheets (float distance) = 0;
+  virtual SheetSight
+  sheets (const SheetLooks& looks) = 0;
 
   /** From now on neighbourhoods keep to one sheet. \return false: none changes, and noise by quadrics would be the same */
   virtual bool
@@ -73,6 +72,16 @@ protected:
   {
     return true;
   }
+
+private:
+  /** \return the noise now that neighbourhoods keep to one sheet
+    * \param[in] may_be_layers the sheets are estimated; what was told apart may be layers, which are mixed again
+    * \param[in,out] options the distance of the sheets becomes infinite then */
+  NoiseEstimate
+  noiseOfSheets (const NoiseEstimate& mixed,
+                 const SheetEstimate& sheets,
+                 bool may_be_layers,
+                 SmoothingOptions& options);
 };
 } // namespace core
 } // namespace pcl_normal_smoothing
