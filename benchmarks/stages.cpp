@@ -4,9 +4,9 @@
 // and core, where an edge is one neighbour of one point.
 #include "clouds.h"
 
-#include <pcl_normal_smoothing/core/node_blocks.h>
-#include <pcl_normal_smoothing/core/noise_estimate.h>
-#include <pcl_normal_smoothing/core/sheet_separation.h>
+#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
+#include <pcl_normal_smoothing/core/search/node_blocks.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_separation.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 

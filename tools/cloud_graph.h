@@ -3,7 +3,7 @@
 
 #include "cloud_io.h"
 
-#include <pcl_normal_smoothing/core/neighbor_graph.h>
+#include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 
 namespace pcl_normal_smoothing

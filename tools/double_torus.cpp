@@ -21,8 +21,7 @@ namespace tools
 {
 namespace
 {
-constexpr double thickness = 0.12, flatness = 0.8;
-const Eigen::Vector3d box (1.2, 0.7, 0.25); // half the sides of a box around the surface
+constexpr double flatness = 0.8;
 
 /** 0 along a figure of eight. */
 double
@@ -33,14 +32,14 @@ eightAt (const Eigen::Vector3d& p)
 } // namespace
 
 double
-doubleTorusValue (const Eigen::Vector3d& point)
+DoubleTorus::valueAt (const Eigen::Vector3d& point) const
 {
   const double eight = eightAt (point);
   return eight * eight + flatness * flatness * point.z () * point.z () - thickness * thickness;
 }
 
 Eigen::Vector3d
-doubleTorusGradient (const Eigen::Vector3d& point)
+DoubleTorus::gradientAt (const Eigen::Vector3d& point) const
 {
   const double eight = eightAt (point);
   return {2 * eight * (2 * point.x () - 4 * point.x () * point.x () * point.x ()), -4 * eight * point.y (),
@@ -51,19 +50,20 @@ namespace
 {
 /** Newton's method along the gradient. */
 Eigen::Vector3d
-projected (Eigen::Vector3d p)
+projected (const DoubleTorus& torus, Eigen::Vector3d p)
 {
   for (int step = 0; step < 10; ++step) {
-    const Eigen::Vector3d gradient = doubleTorusGradient (p);
-    p -= doubleTorusValue (p) / std::max (gradient.squaredNorm (), 1e-12) * gradient;
+    const Eigen::Vector3d gradient = torus.gradientAt (p);
+    p -= torus.valueAt (p) / std::max (gradient.squaredNorm (), 1e-12) * gradient;
   }
   return p;
 }
 
 /** The surface in cells of side \a spacing. */
 Mesh
-sampled (double spacing)
+sampled (const DoubleTorus& torus, double spacing)
 {
+  const Eigen::Vector3d box (1.2, 0.7, 1.65 * torus.thickness / flatness); // half the sides of one around it
   vtkNew<vtkImageData> grid;
   std::array<int, 3> size;
   for (std::size_t d = 0; d < 3; ++d)
@@ -73,7 +73,7 @@ sampled (double spacing)
   grid->SetOrigin (Eigen::Vector3d (-box).data ());
   grid->AllocateScalars (VTK_DOUBLE, 1);
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints (); ++i)
-    grid->GetPointData ()->GetScalars ()->SetTuple1 (i, doubleTorusValue (Eigen::Vector3d (grid->GetPoint (i))));
+    grid->GetPointData ()->GetScalars ()->SetTuple1 (i, torus.valueAt (Eigen::Vector3d (grid->GetPoint (i))));
   vtkNew<vtkFlyingEdges3D> surface;
   surface->SetInputData (grid);
   surface->SetValue (0, 0.0);
@@ -82,7 +82,7 @@ sampled (double spacing)
   vtkPolyData* output = surface->GetOutput ();
   Mesh mesh;
   for (vtkIdType i = 0; i < output->GetNumberOfPoints (); ++i)
-    mesh.vertices.push_back (projected (Eigen::Vector3d (output->GetPoint (i))));
+    mesh.vertices.push_back (projected (torus, Eigen::Vector3d (output->GetPoint (i))));
   for (vtkIdType t = 0; t < output->GetNumberOfCells (); ++t) {
     vtkIdType count;
     const vtkIdType* corners;
@@ -95,7 +95,7 @@ sampled (double spacing)
 
 /** Moves every vertex to the middle of its neighbours, and back to the surface. */
 void
-relax (Mesh& mesh)
+relax (const DoubleTorus& torus, Mesh& mesh)
 {
   std::vector<Eigen::Vector3d> sums (mesh.vertices.size (), Eigen::Vector3d::Zero ());
   std::vector<double> counts (mesh.vertices.size ());
@@ -105,17 +105,17 @@ relax (Mesh& mesh)
       counts[a] += 1;
     }
   for (std::size_t i = 0; i < mesh.vertices.size (); ++i)
-    mesh.vertices[i] = projected (mesh.vertices[i] + 0.5 * (sums[i] / counts[i] - mesh.vertices[i]));
+    mesh.vertices[i] = projected (torus, mesh.vertices[i] + 0.5 * (sums[i] / counts[i] - mesh.vertices[i]));
 }
 } // namespace
 
 Mesh
-makeDoubleTorus (std::size_t vertices)
+makeDoubleTorus (const DoubleTorus& torus, std::size_t vertices)
 {
   // Slightly too few vertices from the grid, the rest from splitting the longest edges.
   double spacing = 0.2;
-  Mesh mesh = sampled (spacing);
-  for (Mesh finer = mesh; finer.vertices.size () <= vertices; finer = sampled (spacing)) {
+  Mesh mesh = sampled (torus, spacing);
+  for (Mesh finer = mesh; finer.vertices.size () <= vertices; finer = sampled (torus, spacing)) {
     mesh = std::move (finer);
     spacing *= 0.99;
   }
@@ -124,7 +124,7 @@ makeDoubleTorus (std::size_t vertices)
     while (mesh.vertices.size () < vertices)
       splitLongestEdges (vertices - mesh.vertices.size (), mesh);
     flipEdges (mesh);
-    relax (mesh);
+    relax (torus, mesh);
   }
   while (flipEdges (mesh) > 0) {}
   const auto v = static_cast<std::ptrdiff_t> (mesh.vertices.size ()),

@@ -4,7 +4,7 @@
 #include "cloud_io.h"
 #include "options.h"
 
-#include <pcl_normal_smoothing/core/neighbor.h>
+#include <pcl_normal_smoothing/core/search/neighbor.h>
 #include <pcl_normal_smoothing/smoothing_settings.h>
 
 namespace pcl_normal_smoothing

@@ -3,7 +3,7 @@
 
 #include "cloud_graph.h"
 
-#include <pcl_normal_smoothing/core/local_surface.h>
+#include <pcl_normal_smoothing/core/chain/local_surface.h>
 
 namespace pcl_normal_smoothing
 {

@@ -3,7 +3,7 @@
 #include "normal_fields.h"
 #include "tool.h"
 
-#include <pcl_normal_smoothing/core/surface_estimation.h>
+#include <pcl_normal_smoothing/core/chain/surface_estimation.h>
 
 using namespace pcl_normal_smoothing;
 

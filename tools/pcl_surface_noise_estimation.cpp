@@ -3,7 +3,7 @@
 #include "method_options.h"
 #include "tool.h"
 
-#include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 
 #include <cstdio>
 

@@ -3,8 +3,8 @@
 
 #include "mesh_distance.h"
 
-#include <pcl_normal_smoothing/core/neighbor_graph.h>
-#include <pcl_normal_smoothing/core/surface_estimation.h>
+#include <pcl_normal_smoothing/core/chain/surface_estimation.h>
+#include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 
 #include <algorithm>

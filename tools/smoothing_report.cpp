@@ -5,7 +5,7 @@
 #include "output_file.h"
 #include "tool_error.h"
 
-#include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 #include <pcl_normal_smoothing/run_settings.h>
 
 #include <algorithm>

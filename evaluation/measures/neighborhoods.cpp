@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measures/neighborhoods.h"
 
-#include <pcl_normal_smoothing/core/local_surface.h>
-#include <pcl_normal_smoothing/core/neighbor_graph.h>
+#include <pcl_normal_smoothing/core/chain/local_surface.h>
+#include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
 #include <algorithm>
 

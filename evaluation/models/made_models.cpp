@@ -35,10 +35,12 @@ rectangle (double width, double depth)
 }
 
 Model
-doubleTorus ()
+doubleTorus (const std::string& name, const std::string& tube, double thickness)
 {
-  return {"double_torus", "made in code: a smooth surface of genus 2", tools::makeDoubleTorus (4350),
-          numericDistance ({tools::doubleTorusValue, tools::doubleTorusGradient})};
+  const tools::DoubleTorus torus {thickness};
+  return {name, "made in code: a smooth surface of genus 2, its tube " + tube, tools::makeDoubleTorus (torus, 4350),
+          numericDistance ({[torus] (const Eigen::Vector3d& p) { return torus.valueAt (p); },
+                            [torus] (const Eigen::Vector3d& p) { return torus.gradientAt (p); }})};
 }
 
 Model
@@ -81,7 +83,8 @@ const std::vector<std::pair<std::string, Maker>>&
 makers ()
 {
   static const std::vector<std::pair<std::string, Maker>> all {
-      {"double_torus", doubleTorus},
+      {"double_torus", [] { return doubleTorus ("double_torus", "two to five spacings thick", 0.12); }},
+      {"double_torus_thick", [] { return doubleTorus ("double_torus_thick", "a half thicker", 0.18); }},
       {"csg_part", csgPart},
       {"plate",
        [] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/normal_filter.h>
+#include <pcl_normal_smoothing/core/chain/normal_filter.h>
 #include <pcl_normal_smoothing/input_normals.h>
 #include <pcl_normal_smoothing/search_settings.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/noise_estimate.h>
+#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 #include <pcl_normal_smoothing/search_settings.h>
 
 #include <pcl/pcl_base.h>

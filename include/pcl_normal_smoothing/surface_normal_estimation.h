@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/surface_estimation.h>
+#include <pcl_normal_smoothing/core/chain/surface_estimation.h>
 #include <pcl_normal_smoothing/neighbor_graph.h>
 #include <pcl_normal_smoothing/run_settings.h>
 

@@ -2,6 +2,7 @@
 """Breaks the code in named ways, one at a time, and shows that the tests notice.
 
 usage: mutations.py [--only <part of a name>] [--jobs 2]
+       mutations.py --check          only whether the code to break is there
 
 Works on a copy of the last commit, in build_mutations/. Prints a row for each break: what it is, which test noticed. Exit
 status 1 where none did, or where the code to break is no longer there."""
@@ -90,11 +91,25 @@ def try_out(mutation, jobs):
     return (found or "NOBODY"), bool(found) and found != "does not compile"
 
 
+def check():
+    """Whether the code to break stands where the list says."""
+    status = 0
+    for name, file, old, _ in MUTATIONS:
+        with open(os.path.join(ROOT, file), encoding="utf-8") as source:
+            if old not in source.read():
+                print(f"{name}: what it breaks is no longer in {file}")
+                status = 1
+    return status
+
+
 def main():
     parser = argparse.ArgumentParser(description="Breaks the code in named ways and runs the tests.")
     parser.add_argument("--only", default="", help="part of the names of those to try")
     parser.add_argument("--jobs", default="2")
+    parser.add_argument("--check", action="store_true", help="break nothing: is the code to break there?")
     arguments = parser.parse_args()
+    if arguments.check:
+        return check()
     prepare(arguments.jobs)
     chosen = [mutation for mutation in MUTATIONS if arguments.only in mutation[0]]
     caught = 0

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/hash_sample.h>
-#include <pcl_normal_smoothing/core/neighborhood_widening.h>
+#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
+#include <pcl_normal_smoothing/core/search/hash_sample.h>
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #include "graph_rows.h"
 
+#include <pcl_normal_smoothing/core/chain/normal_filter.h>
 #include <pcl_normal_smoothing/core/kernels.h>
-#include <pcl_normal_smoothing/core/node_blocks.h>
-#include <pcl_normal_smoothing/core/normal_filter.h>
+#include <pcl_normal_smoothing/core/search/node_blocks.h>
 
 #include <gtest/gtest.h>
 

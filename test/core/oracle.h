@@ -3,8 +3,8 @@
 
 #include "../shapes.h"
 
-#include <pcl_normal_smoothing/core/normal_filter.h>
-#include <pcl_normal_smoothing/core/point_update.h>
+#include <pcl_normal_smoothing/core/chain/normal_filter.h>
+#include <pcl_normal_smoothing/core/chain/point_update.h>
 
 // The stages of the method in double, as the paper's equations read and the design settles them: no speed, no
 // cleverness, and no code shared with the library but its names of options.

@@ -3,7 +3,7 @@
 
 #include "shapes.h"
 
-#include <pcl_normal_smoothing/core/neighbor_graph.h>
+#include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
 namespace test_support
 {

@@ -3,7 +3,7 @@
 
 #include "cell_index.h"
 
-#include <pcl_normal_smoothing/core/neighbor_graph.h>
+#include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
 namespace pcl_normal_smoothing
 {

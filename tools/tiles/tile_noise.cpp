@@ -4,7 +4,7 @@
 #include "region.h"
 #include "tool.h"
 
-#include <pcl_normal_smoothing/core/hash_sample.h>
+#include <pcl_normal_smoothing/core/search/hash_sample.h>
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace
 {
 constexpr double share_of_planes = .1;
 constexpr double share_of_spacing = .2;     // a step of the coordinates that makes noise
-constexpr float ratio_of_wide_noise = .36f; // of sigma to the spacing; core/wide_noise.h asks thinner clouds, too
+constexpr float ratio_of_wide_noise = .36f; // of sigma to the spacing; core/noise/wide_noise.h asks thinner clouds, too
 
 /** A cloud that is seen in tiles. */
 class TiledCloud : public core::SmoothingPreparation

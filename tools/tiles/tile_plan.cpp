@@ -10,9 +10,9 @@
 #include "tool_error.h"
 
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/hash_sample.h>
-#include <pcl_normal_smoothing/core/noise_sample.h>
-#include <pcl_normal_smoothing/core/sheet_estimate.h>
+#include <pcl_normal_smoothing/core/noise/noise_sample.h>
+#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_estimate.h>
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 
 #include "checksum.h"
 
-#include <pcl_normal_smoothing/core/hash_sample.h>
-#include <pcl_normal_smoothing/core/select_nth.h>
+#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include <pcl_normal_smoothing/core/search/select_nth.h>
 
 #include <algorithm>
 #include <cmath>

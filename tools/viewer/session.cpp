@@ -3,9 +3,9 @@
 
 #include "tool.h"
 
-#include <pcl_normal_smoothing/core/noise_estimate.h>
-#include <pcl_normal_smoothing/core/robust_smoothing.h>
-#include <pcl_normal_smoothing/core/surface_estimation.h>
+#include <pcl_normal_smoothing/core/chain/surface_estimation.h>
+#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
+#include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
 #include <pcl_normal_smoothing/run_settings.h>
 
 #include <algorithm>

@@ -32,7 +32,7 @@ struct NumberOfNodes
   float* numbers; // out
 };
 
-/** Weighs every neighbour by its distance: see core/normal_filter.h. */
+/** Weighs every neighbour by its distance: see core/chain/normal_filter.h. */
 struct DistanceWeights
 {
   NodeArrays nodes;
@@ -46,7 +46,7 @@ struct NormalOfNodes
   float* normals; // out
 };
 
-/** Gives every node the best supported of the normals around: see core/sheet_separation.h. */
+/** Gives every node the best supported of the normals around: see core/sheets/sheet_separation.h. */
 struct NormalVoteStep
 {
   NodeArrays nodes;
@@ -55,7 +55,7 @@ struct NormalVoteStep
   float* elected;      // out
 };
 
-/** Counts the neighbours of every node that lie on another sheet: see core/sheet_separation.h. */
+/** Counts the neighbours of every node that lie on another sheet: see core/sheets/sheet_separation.h. */
 struct OtherSheetTest
 {
   NodeArrays nodes;
@@ -66,7 +66,7 @@ struct OtherSheetTest
   float* others;     // out
 };
 
-/** One iteration of the normal filter: see core/normal_filter.h. */
+/** One iteration of the normal filter: see core/chain/normal_filter.h. */
 struct NormalFilterStep
 {
   NodeArrays nodes;
@@ -80,7 +80,7 @@ struct NormalFilterStep
   float* filtered;  // out
 };
 
-/** One iteration of the point update: see core/point_update.h. */
+/** One iteration of the point update: see core/chain/point_update.h. */
 struct PointUpdateStep
 {
   NodeArrays nodes;
@@ -100,14 +100,14 @@ struct PointUpdateStep
 /** The most neighbours that project_points looks at. */
 constexpr std::size_t max_projection_neighbors = 128;
 
-/** Moves every node onto a quadric through its neighbours: see core/quadric_projection.h. */
+/** Moves every node onto a quadric through its neighbours: see core/noise/quadric_projection.h. */
 struct QuadricProjection
 {
   NodeArrays nodes;
   float* projected; // out: offsets
 };
 
-/** One fit of the normals: see core/robust_smoothing.h. */
+/** One fit of the normals: see core/rounds/robust_smoothing.h. */
 struct QuadricFitStep
 {
   NodeArrays nodes;
@@ -121,7 +121,7 @@ struct QuadricFitStep
   float* fitted; // out
 };
 
-/** How much of a proposed step to take: see core/robust_smoothing.h. */
+/** How much of a proposed step to take: see core/rounds/robust_smoothing.h. */
 struct StepControl
 {
   NodeArrays nodes;
@@ -139,7 +139,7 @@ struct StepControl
   float* taken; // out of take_steps: offsets; may be the proposed ones
 };
 
-/** Moves points along the surface that came too close to each other: see core/robust_smoothing.h. */
+/** Moves points along the surface that came too close to each other: see core/rounds/robust_smoothing.h. */
 struct KeepApartStep
 {
   NodeArrays nodes;
@@ -149,7 +149,7 @@ struct KeepApartStep
   float* moved; // out: offsets
 };
 
-/** Lets 16 triples of points vote for the normals of their planes: see core/hough.h. */
+/** Lets 16 triples of points vote for the normals of their planes: see core/chain/hough.h. */
 struct PlaneVotes
 {
   const float* points;                // vectors of three floats

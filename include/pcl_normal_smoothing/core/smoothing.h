@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/normal_filter.h>
-#include <pcl_normal_smoothing/core/point_update.h>
-#include <pcl_normal_smoothing/core/robust_smoothing.h>
-#include <pcl_normal_smoothing/core/surface_estimation.h>
+#include <pcl_normal_smoothing/core/chain/normal_filter.h>
+#include <pcl_normal_smoothing/core/chain/point_update.h>
+#include <pcl_normal_smoothing/core/chain/surface_estimation.h>
+#include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
 
 namespace pcl_normal_smoothing
 {
@@ -13,7 +13,7 @@ namespace core
 /** Everything that smooth () needs to know. */
 struct SmoothingOptions
 {
-  /** In rounds (core/robust_smoothing.h), not as a chain of a normal filter and a point update. */
+  /** In rounds (core/rounds/robust_smoothing.h), not as a chain of a normal filter and a point update. */
   bool robust = false;
   NormalSource normals = NormalSource::WPCA;
   HoughOptions hough;
@@ -24,7 +24,7 @@ struct SmoothingOptions
   RobustSmoothingOptions rounds;
   /** rounds.noise.field is to be estimated too. */
   bool noise_varies = false;
-  /** Neighbourhoods are to grow where they are too narrow to show the surface (core/neighborhood_widening.h). */
+  /** Neighbourhoods are to grow where they are too narrow to show the surface (core/noise/neighborhood_widening.h). */
   bool widen_neighborhoods = false;
 
   /** The same options for positions in another unit: see Positions::unit. What is to be estimated stays so. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/sheet_looks.h>
-#include <pcl_normal_smoothing/core/sheet_separation.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_looks.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_separation.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 
 namespace pcl_normal_smoothing
@@ -17,7 +17,7 @@ namespace core
   * \param[in,out] options that pass check; on return without anything to estimate, and widening neighbourhoods where these had to be; given
   * again, they give the same graph and positions
   * \param[in,out] positions of the nodes; where the noise is wider than the spacing their offsets change: see
-  * core/quadric_projection.h */
+  * core/noise/quadric_projection.h */
 void
 prepareSmoothing (const Vectors& normals,
                   const Execution& execution,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/chain/surface_estimation.h>
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/surface_estimation.h>
 #include <pcl_normal_smoothing/surface_normal_estimation.h>
 
 namespace pcl_normal_smoothing

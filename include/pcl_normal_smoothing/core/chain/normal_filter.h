@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/search/neighbor_graph.h>
+
+namespace pcl_normal_smoothing
+{
+/** The weight of a neighbour's normal, section II.B of Valdivia et al. 2013. */
+enum class NormalWeight
+{
+  THRESHOLD, //!< eq. 3 (Sun et al. 2007)
+  GAUSSIAN,  //!< eqs. 4 and 5 (Zheng et al. 2011)
+  MIXED      //!< eqs. 6 and 7 (Wang et al. 2012)
+};
+
+/** The threshold of eq. 7: as printed, sqrt (sum x^2) / k, or the root mean square, sqrt (sum x^2 / k). */
+enum class MixedThreshold
+{
+  PRINTED, //!< barely filters
+  RMS      //!< filters as the paper's figures show
+};
+
+namespace core
+{
+struct NormalFilterOptions
+{
+  NormalWeight weight = NormalWeight::GAUSSIAN;
+  /** T of eq. 3, a cosine in [0, 1). */
+  float threshold = 0.65f;
+  /** sigma_s of eq. 5, the standard deviation of |n_i - n_j|, above 0. */
+  float sigma_s = 0.3f;
+  MixedThreshold mixed_threshold = MixedThreshold::PRINTED;
+  /** Normals point to the same side everywhere: nothing is flipped. */
+  bool oriented = false;
+  int iterations = 0;
+};
+
+/** \throw Error where an option is out of range */
+void
+check (const NormalFilterOptions& options);
+
+/** Runs options.iterations iterations of eq. 2: a node's normal becomes the weighted sum of the normals of its
+  * neighbourhood, itself included, at length 1. A neighbour at more than 90 degrees counts with its opposite, unless the
+  * normals are oriented; the sign of the node's own normal stays. Neighbours without a normal (NaN) do not count; where the
+  * sum vanishes, or the node has no normal, the old one stays. sigma_c of eq. 5 is the mean distance to the others.
+  * \param[in] positions of the nodes
+  * \param[in,out] normals of the nodes, length 1 or NaN */
+void
+filterNormals (const NeighborGraph& graph,
+               const Positions& positions,
+               const NormalFilterOptions& options,
+               const Execution& execution,
+               Vectors& normals);
+} // namespace core
+} // namespace pcl_normal_smoothing

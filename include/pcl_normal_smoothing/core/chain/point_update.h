@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/search/neighbor_graph.h>
+
+#include <limits>
+
+namespace pcl_normal_smoothing
+{
+/** How points move to fit their normals. */
+enum class UpdateRule
+{
+  /** Eq. 8 of Valdivia et al. 2013. Every term is n_j.(p_j - p_i): on a sphere of radius R, at the angle a, that is
+    * R (1 - cos a) > 0 for all neighbours, so curved surfaces inflate with every iteration. */
+  PAPER,
+  /** Eq. 8 along the mean of both normals, m.(p_j - p_i) with m = (n_i + s n_j) / 2. A chord of a sphere is at a right
+    * angle to the mean of the normals at its ends, so the term vanishes there, and nothing drifts. */
+  COMPENSATED
+};
+
+namespace core
+{
+struct PointUpdateOptions
+{
+  UpdateRule rule = UpdateRule::COMPENSATED;
+  /** sigma_s of eq. 9, the standard deviation of 1 - |n_i.n_j|, above 0. */
+  float sigma_s = 0.03f;
+  /** Normals point to the same side everywhere: the signed n_i.n_j is used. */
+  bool oriented = false;
+  int iterations = 0;
+  /** No point ends farther from where it began, in the unit of the positions. */
+  float max_displacement = std::numeric_limits<float>::infinity ();
+  /** Neighbours are searched anew after this many iterations; 0 = never. */
+  int search_interval = 0;
+
+  /** The same options for positions in another unit: see Positions::unit. */
+  PointUpdateOptions
+  inUnit (double unit) const;
+};
+
+/** \throw Error where an option is out of range */
+void
+check (const PointUpdateOptions& options);
+
+/** Searches the neighbours of nodes that have moved. */
+using Research = std::function<NeighborGraph::ConstPtr (const Positions&)>;
+
+/** Runs options.iterations iterations of eq. 8 with the weights of eq. 9.
+  * \param[in,out] positions of the nodes; their offsets change. A node without a normal (NaN) stays and is skipped.
+  * \param[in] research called every options.search_interval iterations; not used where that is 0 */
+void
+updatePoints (NeighborGraph::ConstPtr graph,
+              const Vectors& normals,
+              const PointUpdateOptions& options,
+              const Research& research,
+              const Execution& execution,
+              Positions& positions);
+} // namespace core
+} // namespace pcl_normal_smoothing

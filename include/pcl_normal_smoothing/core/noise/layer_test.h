@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/noise/ways.h>
+
+#include <optional>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** \param[in] ways at least nearest_count
+  * \return the normal of the plane in which so many nearest lie exactly, where they do and span one */
+std::optional<Eigen::Vector3d>
+planeOf (const Ways& ways);
+
+/** What is around a node that lies in a plane with its nearest. */
+struct LayerSurrounding
+{
+  /** Some points lie off the plane. */
+  bool is_off;
+  /** To the layer that begins where that of the node ends, > 0: points off the plane lie in one more plane above or below, and to
+    * one side. 0: there is none. */
+  double step;
+};
+
+/** \param[in] ways at least nearest_count
+  * \param[in] normal of the plane */
+LayerSurrounding
+layerSurrounding (const Ways& ways, const Eigen::Vector3d& normal);
+} // namespace core
+} // namespace pcl_normal_smoothing

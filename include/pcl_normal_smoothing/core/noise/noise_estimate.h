@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
+#include <pcl_normal_smoothing/core/noise/noise_field.h>
+#include <pcl_normal_smoothing/core/noise/noise_sample.h>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** What a cloud tells of its noise, in the unit of its positions. */
+struct NoiseEstimate
+{
+  /** Standard deviation of the noise along the normal: at half of the points it is larger, where it varies. */
+  float sigma = 0;
+  /** Distance between neighbouring points: the median over the points. */
+  float spacing = 0;
+  /** How sigma varies over the cloud. */
+  NoiseField field = {};
+
+  /** The same in the cloud's unit: see Positions::unit. */
+  NoiseEstimate
+  inCloudUnit (double unit) const
+  {
+    return {static_cast<float> (sigma * unit), static_cast<float> (spacing * unit), field.inUnit (1 / unit)};
+  }
+};
+
+/** Estimates the noise from what quadrics through small neighbourhoods leave, and extrapolates from two sizes of
+  * neighbourhood what curvature adds to it. Uses a sample of about 4,096 points that is chosen by a hash of the coordinates,
+  * and quantiles, which do not depend on an order: the same cloud gives the same bits in any order. Where points lie in layers or on
+  * lines, or noise is wide, wider neighbourhoods tell it (core/noise/neighborhood_widening.h).
+  * \param[in] graph where a row has fewer than 16 points, the neighbours are searched again
+  * \return sigma 0 where neighbourhoods have fewer than 8 points or no extent */
+NoiseEstimate
+estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
+
+/** The estimate from the sample of the whole cloud; nothing where most of its rows are short. */
+NoiseEstimate
+estimateNoise (const NoiseSample& sample);
+
+/** The same where neighbourhoods were widened. In layers: at least what steps of their size make of a surface, and it varies as the
+  * steps do. On lines: by neighbourhoods of twelve and sixteen points, for eight may still lie on one. */
+NoiseEstimate
+estimateNoise (const NoiseSample& sample, const Widening& widening);
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
+
+#include <cstddef>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+constexpr int max_rounds = 6;
+/** Neighbourhoods of fine rounds and of the others: prefixes of the graph's rows. */
+constexpr std::size_t fine_k = 16;
+constexpr std::size_t max_k = 32;
+
+/** How much is done in which round. A gain is what a step may cost: the covariance of the point after the first round with
+  * the step, on a plane of pure noise, in variances of the noise. */
+struct RoundSchedule
+{
+  int fine_rounds; // with the smaller neighbourhood
+  float gains[max_rounds];
+  float tolerance; // of the risk: a factor of the gains
+  int solves[max_rounds];
+  int averages;
+  float fine_bandwidth; // of the update, in distances of the farthest neighbour; 1 in other rounds
+  float sigma_s;        // of the update
+};
+
+RoundSchedule
+chooseSchedule (const RobustSmoothingOptions& options);
+
+/** sigma over the spacing; 0 where none is known. */
+float
+noiseRatio (const RobustSmoothingOptions& options);
+
+/** sigma_s of the pass over the fitted normals: what they scatter by the noise and not more, or curved surfaces become facets.
+  * 0: there is no pass. */
+float
+filteringSigma (const RobustSmoothingOptions& options, int round);
+} // namespace core
+} // namespace pcl_normal_smoothing

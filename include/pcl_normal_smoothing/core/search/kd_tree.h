@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/kernels.h>
+#include <pcl_normal_smoothing/core/parallel_for.h>
+#include <pcl_normal_smoothing/core/positions.h>
+#include <pcl_normal_smoothing/core/search/neighbor.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** A balanced kd-tree that answers for all of its points at once, leaf by leaf.
+  *
+  * A leaf gathers the leaves that can hold neighbours of any of its points once; distances are then taken over
+  * contiguous arrays. They are ((dx^2 + dy^2) + dz^2) in float, as FLANN's, and the result is exact: rows are ordered by
+  * (squared distance, rank), and a tie at the k-th place goes to the lowest rank. */
+class KdTree
+{
+public:
+  /** What the queries of one thread reuse. */
+  struct Scratch
+  {
+    std::vector<std::uint32_t> nodes;         // of a level that are near
+    std::vector<std::uint32_t> children;      // theirs
+    std::size_t candidate_count = 0;          // the arrays only grow
+    std::vector<std::uint32_t> slots;         // of the candidates
+    std::array<std::vector<float>, 3> base;   // likewise
+    std::array<std::vector<float>, 3> offset; // likewise
+    std::vector<std::uint32_t> selected;      // candidates within the bound
+    std::vector<float> sq_dists;              // their squared distances
+    std::vector<std::int32_t> ranks;          // how many are smaller
+    std::vector<Neighbor> row;
+  };
+
+  /** Receives the neighbours of the point in a slot, that point not among them. Called from many threads. */
+  using RowVisitor = std::function<void (std::uint32_t slot, const std::vector<Neighbor>& row)>;
+
+  /** \param[in] positions at least one point, all finite
+    * \param[in] rank what decides ties, one a point; empty = the point's own number */
+  KdTree (const Positions& positions, const Elements& rank, const Execution& execution);
+
+  /** The point's number in every slot. Slots are numbered along the leaves, so they follow space. */
+  const Elements&
+  order () const
+  {
+    return order_;
+  }
+
+  /** Hands the neighbours of every point to \a visit; query.k counts the point itself. */
+  void
+  searchAll (const NeighborQuery& query, const Execution& execution, const RowVisitor& visit) const;
+
+  /** The neighbours of any finite point (as in Positions), nearest first; query.k counts whatever is found.
+    * \return valid until \a scratch is used again */
+  const std::vector<Neighbor>&
+  search (const Eigen::Vector3f& base,
+          const Eigen::Vector3f& offset,
+          const NeighborQuery& query,
+          Scratch& scratch) const;
+
+private:
+  static constexpr std::uint32_t max_leaf_size = 16;
+
+  using Coordinates = std::array<float, 3>;
+  struct Box // four numbers are handled as one; the last is 0
+  {
+    Eigen::Array4f low, high;
+    float slack = 0; // bound of the rounding of a coordinate in it
+  };
+  struct Range // of slots
+  {
+    std::uint32_t begin, end;
+  };
+  struct BuildPoint
+  {
+    Coordinates at;
+    std::uint32_t element;
+  };
+  using BuildPoints = PaddedVector<BuildPoint>;
+
+  void
+  chooseOrigin (const Positions& positions);
+
+  Coordinates
+  treeCoordinates (const Eigen::Vector3f& base, const Eigen::Vector3f& offset) const;
+
+  void
+  split (BuildPoints& points, const Execution& execution);
+
+  void
+  splitNode (std::size_t node, BuildPoints& points);
+
+  void
+  splitBranch (std::size_t node, BuildPoints& points);
+
+  void
+  fillSlots (const Positions& positions, const Elements& rank, const Execution& execution);
+
+  static Eigen::Array4f
+  quadOf (const Coordinates& at)
+  {
+    return {at[0], at[1], at[2], 0};
+  }
+
+  /** Radius of a ball about \a centre that holds \a k of the points of \a branch; infinity where there are fewer. */
+  float
+  ballRadius (const Coordinates& centre, std::size_t branch, std::size_t k, Scratch& scratch) const;
+
+  /** The leaves that are not farther than \a reach from \a box: scratch.nodes. */
+  void
+  nearLeaves (const Box& box, float reach, Scratch& scratch) const;
+
+  /** Makes the points of all leaves that are not farther than \a reach from \a box the candidates. */
+  void
+  gatherCandidates (const Box& box, float reach, Scratch& scratch) const;
+
+  /** The nearest candidates within the bound of \a query, at most \a count, \a excluded apart: scratch.row. */
+  void
+  selectNearest (const CandidateQuery& query, std::uint32_t excluded, std::size_t count, Scratch& scratch) const;
+
+  /** The same for \a found selected candidates by counting; false where distances are equal. */
+  bool
+  rankRow (std::size_t found, std::uint32_t excluded, std::size_t count, Scratch& scratch) const;
+
+  /** A lower bound of the squared distances between what two boxes hold. */
+  static float
+  sqDistance (const Box& a, const Box& b)
+  {
+    const Eigen::Array4f gaps = (a.low - b.high).max (b.low - a.high) - (a.slack + b.slack);
+    return gaps.max (Eigen::Array4f::Zero ()).square ().sum ();
+  }
+
+  /** With its slack. */
+  Box
+  makeBox (const Eigen::Array4f& low, const Eigen::Array4f& high) const;
+
+  void
+  searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisitor& visit, Scratch& scratch) const;
+
+  Box
+  pointBox (const CandidateQuery& point) const;
+
+  Coordinates
+  slotCoordinates (std::size_t slot) const;
+
+  CandidateQuery
+  slotQuery (std::uint32_t slot) const;
+
+  std::size_t leaf_count_ = 1;  // a power of two; the leaves are the last leaf_count_ nodes
+  PaddedVector<Range> ranges_;  // of the nodes; the children of node i are 2i + 1 and 2i + 2
+  PaddedVector<Box> boxes_;     // of the nodes, in the tree's coordinates
+  Elements order_;              // slot -> element
+  Elements rank_;               // slot -> rank
+  std::array<Numbers, 3> base_; // slot -> x, y, z
+  std::array<Numbers, 3> offset_;
+  bool has_offset_ = false;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero (); // of the tree's coordinates, which decide only where to look
+};
+} // namespace core
+} // namespace pcl_normal_smoothing

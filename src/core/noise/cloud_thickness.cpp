@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/cloud_thickness.h>
+#include <pcl_normal_smoothing/core/noise/ways.h>
+#include <pcl_normal_smoothing/core/quantile.h>
+#include <pcl_normal_smoothing/core/search/hash_sample.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr std::size_t sample_size = 4096;
+constexpr std::size_t part_count = 256;
+constexpr std::size_t shares[] = {64, 32}; // of the sample, in a part
+constexpr std::size_t least_size = 1024;
+
+/** From a node to the nearest of the sample, in order. */
+Ways
+nearestWays (const Positions& nodes, std::uint32_t node, const std::vector<std::uint32_t>& sample, std::size_t count)
+{
+  Ways ways;
+  ways.reserve (sample.size ());
+  for (const std::uint32_t other : sample)
+    ways.push_back (nodes.difference (node, other).cast<double> ());
+  std::partial_sort (ways.begin (), ways.begin () + static_cast<std::ptrdiff_t> (count), ways.end (),
+                     [] (const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                       return a.squaredNorm () < b.squaredNorm ();
+                     });
+  return ways;
+}
+
+double
+thicknessOf (const Ways& ways, std::size_t count)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  const Eigen::Vector3d variances =
+      solver.computeDirect (covarianceOfNearest (ways, count), Eigen::EigenvaluesOnly).eigenvalues ();
+  return variances[1] > 0 ? variances[0] / variances[1] : 0;
+}
+} // namespace
+
+double
+cloudThickness (const Positions& nodes, const Execution& execution)
+{
+  const std::vector<std::uint32_t> sample = sampleNodes (nodes, sample_size, execution);
+  double thickness = std::numeric_limits<double>::infinity ();
+  if (sample.size () < least_size)
+    return thickness;
+  std::vector<std::uint32_t> middles = sampleNodes (nodes, part_count, execution);
+  middles.resize (std::min (middles.size (), part_count)); // more where many points lie in one place
+  std::vector<Ways> parts;
+  for (const std::uint32_t node : middles)
+    parts.push_back (nearestWays (nodes, node, sample, sample.size () / shares[1]));
+  for (const std::size_t share : shares) {
+    std::vector<float> of_parts;
+    for (const Ways& ways : parts)
+      of_parts.push_back (static_cast<float> (thicknessOf (ways, sample.size () / share)));
+    thickness = std::min<double> (thickness, quantile (of_parts, .5));
+  }
+  return thickness;
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

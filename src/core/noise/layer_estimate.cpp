@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/layer_estimate.h>
+#include <pcl_normal_smoothing/core/noise/layer_test.h>
+#include <pcl_normal_smoothing/core/noise/thinned_sample.h>
+#include <pcl_normal_smoothing/core/quantile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr double cosine_of_parallel = 1 - 1e-5;
+constexpr double min_share_flat = .1;
+constexpr double min_share_parallel = .5; // of those that are flat
+constexpr double min_share_off = .1;      // likewise: have points near that are off their plane
+constexpr double min_count_off = 32;
+// Of these: have another layer near. Clean surfaces come to .03, depth cameras to .13 and more.
+constexpr double min_share_stepped = .1;
+constexpr float max_deviation = .4f; // of half of the steps, as a logarithm: terraces differ more
+
+bool
+areParallel (const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::abs (a.dot (b)) > cosine_of_parallel;
+}
+
+/** One of \a normals that most of the others are parallel to, or nearly so. */
+Eigen::Vector3d
+commonNormal (const std::vector<Eigen::Vector3d>& normals)
+{
+  constexpr std::size_t candidates = 64;
+  Eigen::Vector3d common = Eigen::Vector3d::Zero ();
+  std::ptrdiff_t most = 0;
+  for (std::size_t i = 0; i < normals.size (); i += std::max<std::size_t> (normals.size () / candidates, 1)) {
+    const auto count = std::count_if (normals.begin (), normals.end (),
+                                      [&] (const auto& normal) { return areParallel (normal, normals[i]); });
+    if (count > most) {
+      most = count;
+      common = normals[i];
+    }
+  }
+  return common;
+}
+
+using Planes = std::vector<std::optional<Eigen::Vector3d>>;
+
+Planes
+planesOf (const std::vector<Ways>& ways)
+{
+  Planes planes;
+  std::transform (ways.begin (), ways.end (), std::back_inserter (planes), planeOf);
+  return planes;
+}
+
+/** Close to each other steps of one size are. */
+bool
+areAlike (const std::vector<LocalValue>& steps, float spacing)
+{
+  const RegionalField usual = regionalMedians (steps, spacing);
+  std::vector<float> deviations;
+  for (const LocalValue& step : steps)
+    deviations.push_back (std::abs (std::log (step.value / usual.valueAt (step.place, step.value))));
+  return quantile (deviations, .5) < max_deviation;
+}
+
+/** Where there is rounding alone, all steps are clear; noise before it frays them. */
+float
+noiseOfStep (double share_stepped)
+{
+  return static_cast<float> (.29 + .5 * (1 - share_stepped));
+}
+
+/** A first look, for clouds with noise. */
+bool
+mayHaveLayers (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+{
+  if (graph.minRowLength () < nearest_count)
+    return false;
+  const std::vector<Ways> sample = quickSample (graph, nodes, execution);
+  const auto flat =
+      std::count_if (sample.begin (), sample.end (), [] (const Ways& ways) { return planeOf (ways).has_value (); });
+  return static_cast<double> (flat) > min_share_flat * static_cast<double> (sample.size ());
+}
+
+class LayerFinder
+{
+public:
+  explicit LayerFinder (const ThinnedSample& sample)
+  : sample_ (sample), halvings_ (sample.size (), static_cast<float> (sample.end ())), steps_ (sample.size (), 0)
+  {}
+
+  LayerEstimate
+  find ()
+  {
+    bool have_layers = false;
+    float spacing = 0;
+    for (int halvings = 0; halvings < sample_.end (); ++halvings) {
+      const std::vector<Ways> ways = sample_.waysAfter (halvings);
+      const Planes planes = planesOf (ways);
+      for (std::size_t s = 0; s < planes.size (); ++s)
+        if (!planes[s])
+          halvings_[s] = std::min (halvings_[s], static_cast<float> (halvings));
+      have_layers |= showLayers (ways, planes);
+      if (halvings == 0)
+        spacing = medianReach (ways);
+    }
+    std::vector<LocalValue> steps = sample_.inPlace (steps_);
+    steps.erase (std::remove_if (steps.begin (), steps.end (), [] (const LocalValue& step) { return step.value == 0; }),
+                 steps.end ());
+    if (!have_layers || !(spacing > 0) || !areAlike (steps, spacing))
+      return {};
+    return {regionalMedians (sample_.inPlace (halvings_), spacing), regionalMedians (steps, spacing),
+            noiseOfStep (share_stepped_)};
+  }
+
+private:
+  /** Notes the steps of the nodes where none was noted yet. */
+  bool
+  showLayers (const std::vector<Ways>& ways, const Planes& planes)
+  {
+    std::vector<Eigen::Vector3d> normals;
+    for (const auto& plane : planes)
+      if (plane)
+        normals.push_back (*plane);
+    const Eigen::Vector3d common = commonNormal (normals);
+    double parallel = 0, off = 0, stepped = 0;
+    for (std::size_t s = 0; s < planes.size (); ++s)
+      if (planes[s] && areParallel (*planes[s], common)) {
+        const LayerSurrounding surrounding = layerSurrounding (ways[s], common);
+        parallel += 1;
+        off += surrounding.is_off ? 1 : 0;
+        stepped += surrounding.step > 0 ? 1 : 0;
+        if (steps_[s] == 0)
+          steps_[s] = static_cast<float> (surrounding.step);
+      }
+    const auto all = static_cast<double> (planes.size ()), flat = static_cast<double> (normals.size ());
+    if (flat <= min_share_flat * all || parallel <= min_share_parallel * flat ||
+        off <= std::max (min_share_off * flat, min_count_off) || stepped <= min_share_stepped * off)
+      return false;
+    share_stepped_ = std::max (share_stepped_, stepped / off);
+    return true;
+  }
+
+  const ThinnedSample& sample_;
+  std::vector<float> halvings_; // until the nearest of a point of the sample are not in a plane
+  std::vector<float> steps_;    // to the next layer, 0 where none was seen
+  double share_stepped_ = 0;    // at best, the share of the points off which there is anything, that see a layer
+};
+} // namespace
+
+LayerEstimate
+estimateLayers (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+{
+  const Execution still = execution.still ();
+  if (!mayHaveLayers (graph, nodes, still))
+    return {};
+  const ThinnedSample sample (graph, nodes, still);
+  return LayerFinder (sample).find ();
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

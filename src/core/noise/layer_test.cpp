@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/layer_test.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+// Of the distance of the eighth: what rounding leaves of a plane, and what is off it for certain.
+constexpr double flat_height = 1.2e-3;
+constexpr double off_height = 1.2e-2;
+constexpr int min_neighbors_off = 8; // fewer of another sheet may well lie to one side by chance
+// Of the way to what lies above or below: goes to one side, and is gone as far in the plane of the node.
+constexpr double min_share_aside = .6;
+constexpr double max_share_beneath = .25;
+constexpr double max_highest_over_lowest = 1.1; // of the heights of one layer
+
+/** The points above a node, below it, or in its plane. */
+class Part
+{
+public:
+  void
+  add (const Eigen::Vector3d& along, double height)
+  {
+    lowest_ = std::min (lowest_, height);
+    highest_ = std::max (highest_, height);
+    sum_ += along;
+    length_ += along.norm ();
+    ++count_;
+  }
+
+  /** There are none, or they lie in one plane, to one side of the node, and not to that where those of its own plane are, as at the
+    * rim of a plate. */
+  bool
+  isNextLayer (const Part& own) const
+  {
+    return count_ == 0 || (highest_ < max_highest_over_lowest * lowest_ && sum_.norm () > min_share_aside * length_ &&
+                           own.mean ().dot (mean ()) < max_share_beneath * mean ().squaredNorm ());
+  }
+
+  /** Infinity where there are none. */
+  double
+  lowest () const
+  {
+    return lowest_;
+  }
+
+  int
+  count () const
+  {
+    return count_;
+  }
+
+private:
+  Eigen::Vector3d
+  mean () const
+  {
+    return sum_ / std::max (count_, 1);
+  }
+
+  double lowest_ = std::numeric_limits<double>::infinity (), highest_ = 0, length_ = 0;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero ();
+  int count_ = 0;
+};
+} // namespace
+
+std::optional<Eigen::Vector3d>
+planeOf (const Ways& ways)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect (covarianceOfNearest (ways));
+  const double flat = flat_height * ways[nearest_count - 1].norm ();
+  if (!(solver.eigenvalues ()[1] > flat * flat)) // copies, or a line
+    return {};
+  const Eigen::Vector3d normal = solver.eigenvectors ().col (0);
+  const Eigen::Vector3d mean = meanOfNearest (ways);
+  const bool is_plane = std::all_of (ways.begin (), ways.begin () + nearest_count,
+                                     [&] (const auto& way) { return std::abs (normal.dot (way - mean)) < flat; });
+  return is_plane ? std::make_optional (normal) : std::nullopt;
+}
+
+LayerSurrounding
+layerSurrounding (const Ways& ways, const Eigen::Vector3d& normal)
+{
+  const double off = off_height * ways[nearest_count - 1].norm ();
+  Part above, below, own;
+  for (const Eigen::Vector3d& way : ways) {
+    const double height = normal.dot (way);
+    Part& part = std::abs (height) < off ? own : height > 0 ? above : below;
+    part.add (way - height * normal, std::abs (height));
+  }
+  if (above.count () + below.count () < min_neighbors_off)
+    return {false, 0};
+  const bool are_layers = above.isNextLayer (own) && below.isNextLayer (own);
+  return {true, are_layers ? std::min (above.lowest (), below.lowest ()) : 0};
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

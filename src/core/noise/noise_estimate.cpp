@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
+#include <pcl_normal_smoothing/core/noise/residual_quantiles.h>
+#include <pcl_normal_smoothing/core/quantile.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr double pi = 3.14159265358979;
+
+double
+spacingOf (double distance_of_eighth)
+{
+  return distance_of_eighth * std::sqrt (pi / 8);
+}
+
+/** A quadric follows the more of the noise the larger it is against the spacing: a factor of sigma.
+  * \param[in] ratio of sigma, as it is read, to the spacing */
+double
+whatQuadricsFollow (double ratio)
+{
+  return 1 + .3 * ratio + 1.2 * ratio * ratio;
+}
+
+/** How much too small quadrics make the noise look, by the ratio of the sigma that there is: of a point, not of the usual one, and
+  * on the large side. */
+double
+whatDensityHides (double ratio)
+{
+  const double bounded = std::min (ratio, 10.0); // nearly copies
+  return std::sqrt (1 + 2.2 * bounded * bounded);
+}
+
+/** Of sigma, one for every point of a sample. */
+using Factors = std::vector<double>;
+
+/** What turns the noise that a point shows into that of a place as dense as the cloud is, and with its usual noise. */
+Factors
+correctionsOf (const NoiseSample& sample, const NoiseEstimate& noise)
+{
+  const double usual = whatDensityHides (noise.sigma / noise.spacing);
+  Factors factors;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes) {
+    const double local = noise.field.factorAt (residuals.place);
+    const double hidden = whatDensityHides (noise.sigma * local / spacingOf (residuals.distance)) / usual;
+    factors.push_back ((residuals.distance > 0 ? hidden : 1) / local); // copies of a point have no density
+  }
+  return factors;
+}
+
+ResidualVariances
+corrected (const NoiseSample& sample, const Factors& factors)
+{
+  ResidualVariances variances;
+  for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
+    for (std::size_t i = 0; i < variances.size (); ++i)
+      if (const float variance = sample.of_nodes[s].variances[i]; std::isfinite (variance))
+        variances[i].push_back (static_cast<float> (factors[s] * factors[s] * variance));
+  return variances;
+}
+
+/** Between points lies nothing, or a gap to another scan line. */
+enum class Between
+{
+  NOTHING,
+  LINES
+};
+
+/** The variances of neighbourhoods of one size, each at its place. */
+std::vector<LocalValue>
+localVariances (const NoiseSample& sample, const Factors& factors, std::size_t size)
+{
+  std::vector<LocalValue> local;
+  for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
+    if (const float variance = sample.of_nodes[s].variances[size]; std::isfinite (variance))
+      local.push_back ({sample.of_nodes[s].place, static_cast<float> (factors[s] * factors[s] * variance)});
+  return local;
+}
+
+NoiseField
+fieldOf (const NoiseSample& sample, Between between, double certainty_of_detail, const NoiseEstimate& noise)
+{
+  const Factors factors = correctionsOf (sample, noise);
+  const std::size_t size = between == Between::LINES ? of_12 : smallestToTrust (corrected (sample, factors));
+  return estimateNoiseField (localVariances (sample, factors, size), noise.spacing, noise.sigma / noise.spacing,
+                             certainty_of_detail);
+}
+
+/** \param[in,out] noise, its spacing and field known */
+void
+estimateSigma (const NoiseSample& sample, Between between, double certainty_of_detail, NoiseEstimate& noise)
+{
+  constexpr int iterations = 3;
+  double certainty_of_slant = 0;
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    const ResidualVariances variances = corrected (sample, correctionsOf (sample, noise));
+    if (iteration == 0) // the larger sigma is, the more does density seem to explain
+      certainty_of_slant = (1 - certainty_of_detail) * certaintyOfSlant (variances);
+    const double sigma =
+        between == Between::LINES ? sigmaAcrossLines (variances) : sigmaBy (variances, certainty_of_slant);
+    noise.sigma = static_cast<float> (sigma * whatQuadricsFollow (sigma / noise.spacing));
+  }
+}
+
+NoiseEstimate
+estimateNoise (const NoiseSample& sample, Between between)
+{
+  std::vector<float> distances;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+    if (residuals.distance > 0)
+      distances.push_back (residuals.distance);
+  const double spacing = spacingOf (quantile (distances, .5));
+  if (!(spacing > 0) || sample.short_rows > 3 * sample.of_nodes.size ())
+    return {};
+  NoiseEstimate noise;
+  noise.spacing = static_cast<float> (spacing);
+  const Factors as_they_are (sample.of_nodes.size (), 1);
+  const double detail =
+      between == Between::LINES ? 0 : certaintyOfDetail (localVariances (sample, as_they_are, of_12), noise.spacing);
+  estimateSigma (sample, between, detail, noise);
+  noise.field = fieldOf (sample, between, detail, noise);
+  if (!noise.field.isEven ())
+    estimateSigma (sample, between, detail, noise);
+  return noise;
+}
+
+NoiseEstimate
+noiseInLayers (NoiseSample sample, const LayerEstimate& layers)
+{
+  NoiseEstimate noise = estimateNoise (sample, Between::NOTHING);
+  std::vector<float> steps;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+    steps.push_back (layers.steps.valueAt (residuals.place, 0));
+  const float step = quantile (steps, .5);
+  if (!(noise.spacing > 0 && step > 0))
+    return noise;
+  sample.dropPlanes ();
+  if (!sample.of_nodes.empty ())
+    noise = estimateNoise (sample, Between::NOTHING);
+  noise.sigma = std::max (noise.sigma, layers.noise_of_step * step);
+  noise.field = relativeField (layers.steps, step);
+  return noise;
+}
+} // namespace
+
+NoiseEstimate
+estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+{
+  const Widening widening = estimateWidening (graph, nodes, execution);
+  const NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution), widening.roundingAlone ());
+  if (widening.projects ())
+    return {widening.wide_noise.sigma, noise.spacing, widening.wide_noise.field};
+  const auto wide = widenNeighborhoods (graph, nodes, widening, execution);
+  if (!wide)
+    return noise;
+  NoiseEstimate of_wide = estimateNoise (sampleNoise (*wide, nodes, execution), widening);
+  of_wide.spacing = noise.spacing;
+  return of_wide;
+}
+
+NoiseEstimate
+estimateNoise (const NoiseSample& sample)
+{
+  return estimateNoise (sample, Between::NOTHING);
+}
+
+NoiseEstimate
+estimateNoise (const NoiseSample& sample, const Widening& widening)
+{
+  if (widening.layers.hasLayers ())
+    return noiseInLayers (sample, widening.layers);
+  NoiseEstimate noise = estimateNoise (sample, !widening.lines.regions.empty () ? Between::LINES : Between::NOTHING);
+  noise.sigma = widening.wide_noise.sigma > 0 ? widening.wide_noise.sigma : widening.rounding.atLeast (noise.sigma);
+  if (widening.projects ()) // the sample is of points that moved
+    noise.field = widening.wide_noise.field;
+  return noise;
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

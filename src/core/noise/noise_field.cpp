@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/noise_field.h>
+#include <pcl_normal_smoothing/core/noise/noise_sample.h>
+#include <pcl_normal_smoothing/core/quantile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr std::size_t min_regions = 4;
+// No region counts for less or more: nothing divides by zero.
+constexpr float max_factor = 8;
+
+/** How far regions are apart by chance, as the ratio of the 9th decile to the 1st, and by detail that looks like noise. */
+double
+spreadByChance (double ratio)
+{
+  return 1.4 + .04 / std::max (ratio, .04);
+}
+
+// So much more, and the field counts in full; in between it counts in part.
+constexpr double spread_to_trust = .4;
+
+/** What is lower than the upper quartile inside of regions. */
+struct LowerQuantile
+{
+  double level;
+  /** The upper quartile over it, of chi-square by 6 degrees of freedom: what twelve points leave of one noise. */
+  float of_noise;
+  /** More than that, as a ratio of sigmas, is detail's. Noise of cameras and scanners, edges among it: 1.16 and 1.35. */
+  double of_detail;
+};
+
+// Relief that is denser spoils the lower quartile too.
+constexpr LowerQuantile lower_quantiles[] = {{.25, 2.27f, 1.2}, {.1, 3.557f, 1.4}};
+// Regions of smaller clouds are so large a part of them that noise and curvature vary inside; a hash does not choose a sample to the point.
+constexpr std::size_t least_to_see_detail = noise_sample_size * 3 / 4;
+
+/** 0: the regions differ by chance. */
+double
+trustIn (const RegionalField& deviations, double ratio)
+{
+  const std::vector<float> factors = deviations.values ();
+  const double high = quantile (factors, .9), low = quantile (factors, .1);
+  return std::clamp ((high - spreadByChance (ratio) * low) / (spread_to_trust * low + 1e-30), 0.0, 1.0);
+}
+} // namespace
+
+float
+NoiseField::smallestFactor () const
+{
+  const std::vector<float> values = factors.values ();
+  return isEven () ? 1 : *std::min_element (values.begin (), values.end ());
+}
+
+float
+NoiseField::largestFactor () const
+{
+  const std::vector<float> values = factors.values ();
+  return isEven () ? 1 : *std::max_element (values.begin (), values.end ());
+}
+
+double
+certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing)
+{
+  if (variances.size () < least_to_see_detail)
+    return 0;
+  const std::vector<float> upper = regionalQuantiles (variances, spacing, .75).values ();
+  double certainty = 0;
+  for (const LowerQuantile& by : lower_quantiles) {
+    const std::vector<float> lower = regionalQuantiles (variances, spacing, by.level).values ();
+    std::vector<float> spreads;
+    for (std::size_t region = 0; region < upper.size (); ++region)
+      spreads.push_back (upper[region] > 0 ? std::sqrt (upper[region] / (by.of_noise * lower[region])) : 1);
+    certainty = std::max (certainty, std::clamp ((quantile (spreads, .5) - by.of_detail) / .1, 0.0, 1.0));
+  }
+  return certainty;
+}
+
+NoiseField
+relativeField (RegionalField values, float usual)
+{
+  for (RegionalField::Region& region : values.regions)
+    region.value = std::clamp (region.value / usual, 1 / max_factor, max_factor);
+  return {values};
+}
+
+NoiseField
+estimateNoiseField (const std::vector<LocalValue>& variances, float spacing, double ratio, double certainty_of_detail)
+{
+  RegionalField field = regionalMedians (variances, spacing);
+  for (RegionalField::Region& region : field.regions)
+    region.value = std::sqrt (region.value);
+  const auto trust = static_cast<float> ((1 - certainty_of_detail) * trustIn (field, ratio));
+  std::vector<float> of_sample;
+  for (const LocalValue& point : variances)
+    of_sample.push_back (field.valueAt (point.place, 1));
+  const float usual = quantile (of_sample, .5);
+  if (field.regions.size () < min_regions || !(trust > 0) || !(usual > 0))
+    return {};
+  NoiseField noise = relativeField (std::move (field), usual);
+  for (RegionalField::Region& region : noise.factors.regions)
+    region.value = 1 + trust * (region.value - 1);
+  return noise;
+}
+
+Numbers
+varianceFactors (const NoiseField& field, const Positions& positions, const Execution& execution)
+{
+  Numbers factors;
+  if (field.isEven ())
+    return factors;
+  factors.resize (positions.size ());
+  parallelFor (positions.size (), execution.silent (), [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const float factor = field.factorAt (positions.base[i]);
+      factors[i] = factor * factor;
+    }
+  });
+  return factors;
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/regional_field.h>
+#include <pcl_normal_smoothing/core/quantile.h>
+
+#include <Eigen/Geometry>
+
+#include <tuple>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+// Points of the sample in a region, twice as many at most: a sigma comes out within a tenth.
+constexpr std::size_t region_size = 64;
+
+using Sample = std::vector<LocalValue>;
+
+/** Splits the sample in halves along its longest side, again and again. */
+class RegionFinder
+{
+public:
+  RegionFinder (Sample sample, float spacing, double level)
+  : sample_ (std::move (sample)), spacing_ (spacing), level_ (level)
+  {
+    split (0, sample_.size ());
+  }
+
+  const std::vector<RegionalField::Region>&
+  regions () const
+  {
+    return regions_;
+  }
+
+private:
+  void
+  split (std::size_t begin, std::size_t end)
+  {
+    Eigen::AlignedBox3f box;
+    for (std::size_t i = begin; i < end; ++i)
+      box.extend (sample_[i].place);
+    if (end - begin < 2 * region_size)
+      return add (begin, end, box);
+    int axis;
+    box.sizes ().maxCoeff (&axis);
+    const std::size_t middle = (begin + end) / 2;
+    const auto at = [this] (std::size_t i) { return sample_.begin () + static_cast<std::ptrdiff_t> (i); };
+    const auto key = [axis] (const LocalValue& point) { // all of it: the order of the cloud must not tell
+      const Eigen::Vector3f& place = point.place;
+      return std::make_tuple (place[axis], place.x (), place.y (), place.z (), point.value);
+    };
+    std::nth_element (at (begin), at (middle), at (end),
+                      [&] (const LocalValue& a, const LocalValue& b) { return key (a) < key (b); });
+    split (begin, middle);
+    split (middle, end);
+  }
+
+  void
+  add (std::size_t begin, std::size_t end, const Eigen::AlignedBox3f& box)
+  {
+    std::vector<float> values;
+    for (std::size_t i = begin; i < end; ++i)
+      values.push_back (sample_[i].value);
+    // Copies of a point have no extent.
+    const float reach = std::max (box.diagonal ().norm () / 2, spacing_);
+    regions_.push_back ({box.center (), reach, quantile (values, level_)});
+  }
+
+  Sample sample_;
+  float spacing_;
+  double level_;
+  std::vector<RegionalField::Region> regions_;
+};
+} // namespace
+
+float
+RegionalField::valueAt (const Eigen::Vector3f& place, float otherwise) const
+{
+  float sum = 0, weights = 0;
+  for (const Region& region : regions) {
+    const float x = squaredLength ((place - region.centre) / region.reach) + .5f;
+    const float weight = 1 / (x * x * x);
+    sum += weight * region.value;
+    weights += weight;
+  }
+  return weights > 0 ? sum / weights : otherwise;
+}
+
+std::vector<float>
+RegionalField::values () const
+{
+  std::vector<float> values;
+  for (const Region& region : regions)
+    values.push_back (region.value);
+  return values;
+}
+
+RegionalField
+RegionalField::inUnit (double unit) const
+{
+  RegionalField field = *this;
+  for (Region& region : field.regions) {
+    region.centre = (region.centre.cast<double> () / unit).cast<float> ();
+    region.reach = static_cast<float> (region.reach / unit);
+  }
+  return field;
+}
+
+RegionalField
+regionalQuantiles (std::vector<LocalValue> sample, float spacing, double level)
+{
+  return {RegionFinder (std::move (sample), spacing, level).regions ()};
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/residual_quantiles.h>
+#include <pcl_normal_smoothing/core/quantile.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+struct Quantile
+{
+  double level;
+  /** The quantile of chi-square by its 2, 6 and 10 degrees of freedom, over these. */
+  std::array<double, 3> of_chi_square;
+};
+
+constexpr Quantile bottom = {.05, {.0513, .2726, .394}}, lowest = {.1, {.1054, .3674, .4865}},
+                   lower = {.25, {.2877, .5758, .6737}}, median = {.5, {.6931, .891, .934}},
+                   upper = {.75, {1.3863, 1.3068, 1.2549}}, highest = {.9, {2.3026, 1.7741, 1.5987}};
+
+/** The variance of the noise that makes such a quantile. */
+double
+varianceBy (const Quantile& by, const ResidualVariances& variances, std::size_t size)
+{
+  return quantile (variances[size], by.level) / by.of_chi_square[size];
+}
+
+/** The root of a ratio of two variances; 1 for two that are 0. */
+double
+ratioOfSigmas (double a, double b)
+{
+  return a == b ? 1 : std::sqrt (a / b);
+}
+
+/** The variance at no size of neighbourhood, from those at a small and a large one: curvature adds to the larger more. But
+  * where it is many times the smaller, the neighbourhoods do not fit a quadric, and the difference tells nothing. */
+double
+extrapolated (double small, double large, double slope, double largest_excess)
+{
+  const double excess = std::max (0.0, large - small);
+  const double trust = std::clamp (2 - excess / (largest_excess * small + 1e-30), 0.0, 1.0);
+  return std::max (small - slope * trust * excess, 0.2 * small);
+}
+
+bool
+isQuantised (double by_8, double by_12, double by_16)
+{
+  return by_12 > 5 * by_8 && by_16 < 1.3 * by_12;
+}
+
+/** How much more quadrics leave of the largest neighbourhoods than of the smallest, as a ratio of sigmas: 1 without detail. */
+double
+growthOf (const Quantile& by, const ResidualVariances& variances)
+{
+  return ratioOfSigmas (varianceBy (by, variances, of_16), varianceBy (by, variances, of_8));
+}
+
+/** Where dense relief spoils the lower quartile too, but below that there is one noise. \return at most \a sigma, of all the others */
+double
+sigmaInRelief (const ResidualVariances& variances, double sigma)
+{
+  const double least = varianceBy (lowest, variances, of_12);
+  const bool is_one_noise = ratioOfSigmas (varianceBy (bottom, variances, of_12), least) > .85;
+  const double certainty = is_one_noise ? std::clamp ((growthOf (lower, variances) - 1.2) / .1, 0.0, 1.0) : 0;
+  return sigma - certainty * std::max (0.0, sigma - 1.15 * std::sqrt (least));
+}
+
+/** Edges spoil the upper quantiles, other sheets all but the lower ones: the least of them. */
+double
+leastSigma (const ResidualVariances& variances)
+{
+  const double lower_8 = varianceBy (lower, variances, smallestToTrust (variances)),
+               lower_12 = varianceBy (lower, variances, of_12);
+  const double low = extrapolated (lower_8, lower_12, .3, 2.5), least = extrapolated (lower_8, lower_12, .9, 2.5);
+  const double middle =
+      extrapolated (varianceBy (median, variances, of_8), varianceBy (median, variances, of_12), .3, 2.5);
+  const double high = extrapolated (varianceBy (upper, variances, of_8), varianceBy (upper, variances, of_16), .4, 3);
+  return sigmaInRelief (variances, std::sqrt (std::min ({1.1 * low, 1.05 * middle, std::max (high, .75 * least)})));
+}
+
+/** Of surfaces that face the rays, on the large side: slanting ones are no worse for it. Outliers do not reach the median. */
+double
+facingSigma (const ResidualVariances& variances)
+{
+  return 1.3 * std::sqrt (std::min ({varianceBy (highest, variances, of_8), 1.44 * varianceBy (upper, variances, of_8),
+                                     2.07 * varianceBy (median, variances, of_8)}));
+}
+} // namespace
+
+std::size_t
+smallestToTrust (const ResidualVariances& variances)
+{
+  return isQuantised (varianceBy (lower, variances, of_8), varianceBy (lower, variances, of_12),
+                      varianceBy (lower, variances, of_16))
+             ? of_12
+             : of_8;
+}
+
+double
+certaintyOfSlant (const ResidualVariances& variances)
+{
+  const auto between = [&] (const Quantile& a, const Quantile& b, std::size_t size) {
+    return ratioOfSigmas (varianceBy (a, variances, size), varianceBy (b, variances, size));
+  };
+  const auto below = [] (double ratio, double most, double width) {
+    return std::clamp ((most - ratio) / width, 0.0, 1.0);
+  };
+  return below (between (lower, upper, of_12), .92, .05) * below (between (lowest, lower, of_8), .96, .08) *
+         below (growthOf (highest, variances), 1.22, .08);
+}
+
+double
+sigmaBy (const ResidualVariances& variances, double certainty_of_slant)
+{
+  const double least = leastSigma (variances);
+  return least + certainty_of_slant * std::max (0.0, facingSigma (variances) - least);
+}
+
+double
+sigmaAcrossLines (const ResidualVariances& variances)
+{
+  double sigma = 0;
+  for (const Quantile& by : {highest, upper, median}) {
+    const double by_12 = varianceBy (by, variances, of_12);
+    sigma = 1.15 * std::sqrt (by_12);
+    if (ratioOfSigmas (varianceBy (by, variances, of_16), by_12) < 1.15) // else edges and detail
+      break;
+  }
+  return sigma;
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/cloud_thickness.h>
+#include <pcl_normal_smoothing/core/noise/thinned_noise.h>
+#include <pcl_normal_smoothing/core/noise/thinned_sample.h>
+#include <pcl_normal_smoothing/core/quantile.h>
+#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include <pcl_normal_smoothing/core/search/thinned_cloud.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr double min_share_turned = .06;
+constexpr double max_cosine_turned = .7;
+
+Eigen::Vector3d
+planeNormal (const Ways& ways, std::size_t count)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  return solver.computeDirect (covarianceOfNearest (ways, count)).eigenvectors ().col (0);
+}
+
+double
+upperResidual (const NoiseSample& sample)
+{
+  std::vector<float> variances;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+    if (std::isfinite (residuals.variances.back ()))
+      variances.push_back (residuals.variances.back ());
+  return std::sqrt (quantile (variances, .75));
+}
+} // namespace
+
+ThinnedNoise::ThinnedNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+: graph_ (graph), nodes_ (nodes), execution_ (execution), sample_ (sampleNodes (nodes, noise_sample_size, execution))
+{}
+
+int
+ThinnedNoise::mostHalvings () const
+{
+  return ThinnedCloud::mostHalvings (nodes_.size (), ThinnedCloud::least_size);
+}
+
+NoiseSample
+ThinnedNoise::sample (int halvings) const
+{
+  const std::uint32_t length = rowLength ();
+  if (halvings == 0 || sample_.empty ())
+    return sampleNoise (graph_, nodes_, sample_, nodes_.size (), execution_);
+  const ThinnedCloud thinned (graph_, nodes_, halvings, ThinnedCloud::Parts::SOME, execution_);
+  std::vector<std::uint32_t> rows (sample_.size () * length);
+  KdTree::Scratch scratch;
+  for (std::size_t s = 0; s < sample_.size (); ++s)
+    thinned.row (sample_[s], rows.data () + s * length, length, scratch);
+  return sampleNoise (*graph_.withRows (sample_, rows, length), nodes_, sample_, nodes_.size (), execution_);
+}
+
+double
+ThinnedNoise::ratio (int halvings)
+{
+  const NoiseEstimate of_cloud = noise (halvings);
+  return of_cloud.spacing > 0 ? of_cloud.sigma / of_cloud.spacing : 0;
+}
+
+bool
+ThinnedNoise::hasTurningPlanes () const
+{
+  std::size_t turned = 0, all = 0;
+  for (const Ways& ways : quickSample (graph_, nodes_, execution_)) {
+    const double cosine = planeNormal (ways, noise_row_length / 2).dot (planeNormal (ways, noise_row_length));
+    turned += std::abs (cosine) < max_cosine_turned ? 1 : 0;
+    ++all;
+  }
+  return static_cast<double> (turned) > min_share_turned * static_cast<double> (all);
+}
+
+double
+ThinnedNoise::thickness () const
+{
+  return cloudThickness (nodes_, execution_);
+}
+
+const ThinnedNoise::Shown&
+ThinnedNoise::shown (int halvings)
+{
+  while (shown_.size () <= static_cast<std::size_t> (halvings)) {
+    const NoiseSample of_cloud = sample (static_cast<int> (shown_.size ()));
+    shown_.push_back ({estimateNoise (of_cloud), upperResidual (of_cloud)});
+  }
+  return shown_[static_cast<std::size_t> (halvings)];
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

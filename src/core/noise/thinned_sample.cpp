@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/thinned_sample.h>
+#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include <pcl_normal_smoothing/core/search/thinned_cloud.h>
+
+#include <array>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr std::size_t quick_sample_size = 512;
+constexpr std::size_t sample_size = 4096;
+constexpr std::uint32_t row_length = 32;
+constexpr std::size_t least_size = 1000; // of the thinnest cloud
+
+Ways
+waysTo (const Positions& nodes, std::uint32_t node, const Row& row)
+{
+  Ways ways;
+  for (std::size_t j = 0; j < row.size (); ++j)
+    ways.push_back (nodes.difference (node, row[j]).cast<double> ());
+  return ways;
+}
+} // namespace
+
+std::vector<Ways>
+quickSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+{
+  std::vector<Ways> ways;
+  for (const std::uint32_t node : sampleNodes (nodes, quick_sample_size, execution))
+    ways.push_back (waysTo (nodes, node, graph.row (node)));
+  return ways;
+}
+
+ThinnedSample::ThinnedSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+: graph_ (graph)
+, nodes_ (nodes)
+, execution_ (execution)
+, nodes_of_sample_ (sampleNodes (nodes, sample_size, execution))
+, end_ (ThinnedCloud::mostHalvings (nodes.size (), least_size) + 1)
+{}
+
+std::vector<Ways>
+ThinnedSample::waysAfter (int halvings) const
+{
+  const ThinnedCloud thinned (graph_, nodes_, halvings, ThinnedCloud::Parts::ONE, execution_);
+  std::vector<Ways> ways (size ());
+  parallelFor (
+      size (), execution_,
+      [&] (std::size_t begin, std::size_t end) {
+        KdTree::Scratch scratch;
+        std::array<std::uint32_t, row_length> row;
+        for (std::size_t s = begin; s < end; ++s) {
+          thinned.row (nodes_of_sample_[s], row.data (), row_length, scratch);
+          ways[s] = waysTo (nodes_, nodes_of_sample_[s], Row (row.data (), row_length, 1));
+        }
+      },
+      64);
+  return ways;
+}
+
+std::vector<LocalValue>
+ThinnedSample::inPlace (const std::vector<float>& values) const
+{
+  std::vector<LocalValue> local;
+  for (std::size_t s = 0; s < size (); ++s)
+    local.push_back ({nodes_.base[nodes_of_sample_[s]], values[s]});
+  return local;
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/chain/normal_filter.h>
+#include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
+#include <pcl_normal_smoothing/core/rounds/round_schedule.h>
+#include <pcl_normal_smoothing/core/search/node_blocks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+void
+check (const RobustSmoothingOptions& options)
+{
+  if (!(options.noise.sigma >= 0) || !(options.noise.spacing >= 0))
+    throw Error ("the noise's sigma is " + std::to_string (options.noise.sigma) + ", the spacing " +
+                 std::to_string (options.noise.spacing) + ": give lengths of at least 0");
+  if (options.rounds < 0 || options.rounds > max_rounds)
+    throw Error ("the number of rounds is " + std::to_string (options.rounds) + ": give 0 to 6");
+  if (!(options.sheet_distance >= 0))
+    throw Error ("the sheet distance is " + std::to_string (options.sheet_distance) + ": give a length of at least 0");
+  if (!(options.max_displacement > 0))
+    throw Error ("the maximal displacement is " + std::to_string (options.max_displacement) +
+                 ": give a length above 0");
+}
+
+namespace
+{
+/** The state of the rounds and their steps, in order. */
+class Rounds
+{
+public:
+  Rounds (const NeighborGraph& graph,
+          const RobustSmoothingOptions& options,
+          const Execution& execution,
+          const Vectors& start,
+          Positions& positions,
+          Vectors& normals)
+  : graph_ (graph)
+  , options_ (options)
+  , execution_ (execution)
+  , progress_ (execution)
+  , positions_ (positions)
+  , normals_ (normals)
+  , schedule_ (chooseSchedule (options))
+  , all_normals_ (haveAllNormals (normals))
+  , start_ (start)
+  , other_ (graph.size ())
+  , moved_ (graph.size (), 0.0f)
+  , risks_ (2 * graph.size ())
+  , averaged_ (2 * graph.size ())
+  , weights_ (pairsBegin (graph, graph.blockCount ()))
+  , variance_factors_ (core::varianceFactors (options.noise.field, positions, execution))
+  {}
+
+  /** Every loop over the blocks that reads what the one before wrote for neighbours goes a hop farther: change both. */
+  static int
+  depth (const RobustSmoothingOptions& options, int of_normals)
+  {
+    if (options.rounds == 0)
+      return of_normals;
+    // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals too.
+    const int first_fit = std::max (of_normals, 1 + (options.oriented ? of_normals : 0));
+    const RoundSchedule schedule = chooseSchedule (options);
+    constexpr int fit = 1, update = 1;
+    int all = first_fit - fit;
+    for (int round = 0; round < options.rounds; ++round)
+      all += fit + (filteringSigma (options, round) > 0 ? 1 : 0) + update + schedule.averages;
+    constexpr int keep_apart = 1;
+    return all + keep_apart;
+  }
+
+  void
+  run ()
+  {
+    for (int round = 0; round < options_.rounds; ++round) {
+      progress_ = execution_.part (round, round, options_.rounds);
+      const bool fine = round < schedule_.fine_rounds;
+      k_ = fine ? fine_k : max_k;
+      fitNormals (round);
+      if (const float sigma_s = filteringSigma (options_, round); sigma_s > 0)
+        filterFitted (sigma_s);
+      proposeSteps (fine);
+      takeSteps (round);
+      execution_.report ((round + 1.0) / options_.rounds);
+    }
+    if (options_.rounds > 0)
+      keepApart ();
+  }
+
+private:
+  template <typename Kernel, typename Arguments>
+  void
+  forAllBlocks (const Kernel& kernel, const Arguments& arguments, std::size_t k)
+  {
+    forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
+      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k), rows.begin, rows.pairs_begin});
+    });
+  }
+
+  void
+  fitNormals (int round)
+  {
+    const bool first = round == 0;
+    QuadricFitStep step {};
+    step.nodes = nodeArrays (positions_, normals_);
+    step.solves = schedule_.solves[round];
+    step.turn_frame = first;
+    step.by_normal = !first || options_.oriented;
+    step.oriented = options_.oriented;
+    step.residual_factor = residualFactor ();
+    step.variance_factors = varianceFactors ();
+    const float noise_ratio = noiseRatio (options_);
+    step.ridge = .3f * std::clamp (.15f * noise_ratio * noise_ratio, .003f, .01f);
+    step.fitted = other_.data ()->data ();
+    forAllBlocks (kernels ().fit_normals, step, k_);
+    normals_.swap (other_);
+  }
+
+  /** One bilateral-Gaussian pass over the normals. */
+  void
+  filterFitted (float sigma_s)
+  {
+    NormalFilterStep step {};
+    step.nodes = nodeArrays (positions_, normals_);
+    step.weight = static_cast<int> (NormalWeight::GAUSSIAN);
+    step.normal_factor = 1 / (2 * sigma_s * sigma_s);
+    step.oriented = options_.oriented;
+    step.all_normals = all_normals_;
+    step.filtered = other_.data ()->data ();
+    forEachBlock (graph_, progress_, [&] (const BlockRows& block) {
+      std::uint16_t distance_weights[NeighborGraph::block_size * max_k];
+      const BlockRows rows {block.neighbors, std::min (block.length, k_)};
+      kernels ().distance_weights ({step.nodes, distance_weights}, rows);
+      NormalFilterStep of_block = step;
+      of_block.distance_weights = distance_weights;
+      kernels ().filter_normals (of_block, rows);
+    });
+    normals_.swap (other_);
+  }
+
+  void
+  proposeSteps (bool fine)
+  {
+    const float bandwidth = fine ? schedule_.fine_bandwidth : 1;
+    PointUpdateStep step {};
+    step.nodes = nodeArrays (positions_, normals_);
+    step.start = step.nodes.offset;
+    step.compensated = step.robust = true;
+    step.reach_scale = 1 / (bandwidth * bandwidth);
+    step.normal_factor = 1 / (2 * schedule_.sigma_s * schedule_.sigma_s);
+    step.residual_factor = residualFactor ();
+    step.variance_factors = varianceFactors ();
+    step.oriented = options_.oriented;
+    step.all_normals = all_normals_;
+    step.max_displacement = std::numeric_limits<float>::infinity ();
+    step.moved = other_.data ()->data ();
+    forAllBlocks (kernels ().update_points, step, k_);
+  }
+
+  void
+  takeSteps (int round)
+  {
+    const float variance = options_.noise.sigma * options_.noise.sigma;
+    StepControl control {};
+    control.nodes = nodeArrays (positions_, normals_);
+    control.start = start_.empty () ? nullptr : start_.data ()->data ();
+    control.proposed = control.taken = other_.data ()->data ();
+    control.moved = moved_.data ();
+    control.first_round = round == 0;
+    control.oriented = options_.oriented;
+    control.weights = weights_.data ();
+    control.variance_factors = varianceFactors ();
+    control.gain = schedule_.tolerance * variance * schedule_.gains[round];
+    control.max_displacement = options_.max_displacement;
+    control.risks = risks_.data ();
+    forAllBlocks (kernels ().step_risks, control, max_k);
+    if (round == 0) // normals and positions change little afterwards
+      forAllBlocks (kernels ().averaging_weights, control, max_k);
+    for (int average = 0; average < schedule_.averages; ++average) {
+      control.risks = risks_.data ();
+      control.averaged = averaged_.data ();
+      forAllBlocks (kernels ().average_risks, control, max_k);
+      risks_.swap (averaged_);
+    }
+    control.risks = risks_.data ();
+    forAllBlocks (kernels ().take_steps, control, max_k);
+    positions_.offset.swap (other_);
+  }
+
+  void
+  keepApart ()
+  {
+    KeepApartStep step {};
+    step.nodes = nodeArrays (positions_, normals_);
+    step.start = start_.empty () ? nullptr : start_.data ()->data ();
+    step.oriented = options_.oriented;
+    step.max_displacement = options_.max_displacement;
+    step.moved = other_.data ()->data ();
+    progress_ = execution_.silent (); // the rounds have told all
+    forAllBlocks (kernels ().keep_apart, step, max_k);
+    positions_.offset.swap (other_);
+  }
+
+  /** 1 / (2 (2 sigma)^2); without noise everything off the surface is off by far. */
+  float
+  residualFactor () const
+  {
+    const float sigma = options_.noise.sigma;
+    return 1 / std::max (8 * sigma * sigma, std::numeric_limits<float>::min () * 1e8f);
+  }
+
+  const float*
+  varianceFactors () const
+  {
+    return variance_factors_.empty () ? nullptr : variance_factors_.data ();
+  }
+
+  const NeighborGraph& graph_;
+  const RobustSmoothingOptions& options_;
+  const Execution& execution_;
+  Execution progress_; // reports where the round began, and so never falls
+  Positions& positions_;
+  Vectors& normals_;
+  RoundSchedule schedule_;
+  bool all_normals_; // no node is without one, now and later
+  std::size_t k_ = 0;
+  const Vectors& start_; // as startOf has it
+  Vectors other_;        // what the next stage writes: normals, or offsets
+  Numbers moved_;        // along the normals since the first round, from where the risk is measured
+  Numbers risks_;        // two a node
+  Numbers averaged_;
+  PaddedVector<std::uint8_t> weights_;
+  Numbers variance_factors_; // empty: 1 everywhere
+};
+} // namespace
+
+Vectors
+startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k)
+{
+  Vectors normals (graph.size ());
+  const NormalOfNodes task {nodeArrays (positions, normals), normals.data ()->data ()};
+  forEachBlock (graph, execution, [&] (const BlockRows& rows) {
+    kernels ().start_normals (task, {rows.neighbors, std::min (rows.length, k)});
+  });
+  return normals;
+}
+
+int
+roundsDepth (const RobustSmoothingOptions& options, int of_normals)
+{
+  return Rounds::depth (options, of_normals);
+}
+
+void
+smoothRobustly (const NeighborGraph& graph,
+                const RobustSmoothingOptions& options,
+                const Execution& execution,
+                const Vectors& start,
+                Positions& positions,
+                Vectors& normals)
+{
+  if (graph.size () > 0)
+    Rounds (graph, options, execution, start, positions, normals).run ();
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/rounds/round_schedule.h>
+
+#include <algorithm>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+// Noise against spacing from which on only large neighbourhoods serve.
+constexpr float coarse_ratio = .62f;
+} // namespace
+
+float
+noiseRatio (const RobustSmoothingOptions& options)
+{
+  return options.noise.spacing > 0 ? options.noise.sigma / options.noise.spacing : 0;
+}
+
+RoundSchedule
+chooseSchedule (const RobustSmoothingOptions& options)
+{
+  if (options.fast)
+    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, 1.8f, {2, 1, 1, 1, 1, 1}, 3, 1, .06f};
+  if (noiseRatio (options) >= coarse_ratio)
+    return {0, {.660f, .084f, .0202f, .0086f, .0052f, .0037f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, 1, .05f};
+  return {2, {.661f, .0745f, .0517f, .0139f, .0080f, .0051f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, .7f, .05f};
+}
+
+float
+filteringSigma (const RobustSmoothingOptions& options, int round)
+{
+  const float noise_ratio = noiseRatio (options);
+  if (options.fast)
+    return noise_ratio > .29f ? .15f : 0;
+  return round > 0 ? std::clamp (.26f * noise_ratio, .02f, .15f) : 0;
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/quantile.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_estimate.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_normals.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_test.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr float min_share_beside = 0.1f;
+constexpr double min_peak_over_valley = 1.5;
+// The layers of a depth camera: points of one lie in a plane, but for this part of the step to the next; and that one lies so much
+// to one side (the median of SheetSample::sides), where a sheet lies above.
+constexpr float least_sigma_of_gap = .01f;
+constexpr float side_of_layer = .6f;
+// Of a neighbourhood that is a ball inside wide noise, what lies far off the plane lies more to one side than any sheet's points do.
+constexpr float side_of_ball = .65f;
+
+/** Where the neighbours of a node on other sheets lie, seen along its normal: above it and below. */
+class OtherNeighbors
+{
+public:
+  void
+  add (const Eigen::Vector3f& way, float height, const Eigen::Vector3f& normal)
+  {
+    const Eigen::Vector3f along = way - way.dot (normal) * normal;
+    sums_[height > 0] += along;
+    lengths_ += along.norm ();
+    ++count_;
+  }
+
+  int
+  count () const
+  {
+    return count_;
+  }
+
+  /** As in SheetSample::sides. */
+  float
+  side () const
+  {
+    return lengths_ > 0 ? (sums_[0].norm () + sums_[1].norm ()) / lengths_ : 0;
+  }
+
+private:
+  std::array<Eigen::Vector3f, 2> sums_ {Eigen::Vector3f::Zero (), Eigen::Vector3f::Zero ()};
+  float lengths_ = 0;
+  int count_ = 0;
+};
+
+template <typename Condition>
+std::vector<float>
+those (const std::vector<float>& values, const Condition& condition)
+{
+  std::vector<float> found;
+  std::copy_if (values.begin (), values.end (), std::back_inserter (found), condition);
+  return found;
+}
+} // namespace
+
+void
+SheetSample::join (const SheetSample& part)
+{
+  nodes += part.nodes;
+  nodes_beside += part.nodes_beside;
+  heights.insert (heights.end (), part.heights.begin (), part.heights.end ());
+  sides.insert (sides.end (), part.sides.begin (), part.sides.end ());
+}
+
+SheetSample
+sampleSheets (const NeighborGraph& graph,
+              const Positions& positions,
+              const std::vector<std::uint32_t>& sample,
+              const SheetLook& look,
+              const Execution& execution)
+{
+  const std::vector<std::uint32_t> around = nodesInRows (graph, sample, look.row_length);
+  const Vectors normals = electNormals (graph, positions, look, &around, execution);
+  const SheetTest test (positions, normals, look.distance, false);
+  SheetSample found;
+  found.nodes = sample.size ();
+  for (const std::uint32_t node : sample) {
+    const Row row = graph.row (node);
+    std::vector<float> heights;
+    OtherNeighbors others;
+    for (std::size_t j = 1; j < std::min (row.size (), look.row_length); ++j)
+      if (test.areParallel (node, row[j])) {
+        const float height = test.height (node, row[j]);
+        if (test.isOther (node, row[j], evidence_to_change))
+          others.add (positions.difference (node, row[j]), height, normals[node]);
+        heights.push_back (std::abs (height));
+      }
+    if (others.count () >= min_other_neighbors)
+      found.join ({0, 1, heights, {others.side ()}});
+  }
+  return found;
+}
+
+SheetEstimate
+estimateSheets (SheetSample sample, float distance)
+{
+  if (sample.nodes == 0)
+    return {};
+  const std::vector<float>& heights = sample.heights;
+  const float share_beside = static_cast<float> (sample.nodes_beside) / static_cast<float> (sample.nodes);
+  const SheetEstimate none {0, 0, share_beside};
+  const std::vector<float> far = those (heights, [&] (float height) { return height > distance / 2; });
+  if (share_beside < min_share_beside || far.empty ())
+    return none;
+  const float gap = quantile (far, .5);
+  const auto countAt = [&] (float place) {
+    return std::count_if (heights.begin (), heights.end (),
+                          [&] (float height) { return std::abs (height - place) < 0.1f * gap; });
+  };
+  if (static_cast<double> (countAt (gap)) <= min_peak_over_valley * static_cast<double> (countAt (gap / 2)))
+    return none;
+  const std::vector<float> near = those (heights, [&] (float height) { return height < gap / 2; });
+  // Both points of a pair have noise.
+  const float sigma = quantile (near, .5) / (0.6745f * std::sqrt (2.0f));
+  if (quantile (sample.sides, .5) > (sigma < least_sigma_of_gap * gap ? side_of_layer : side_of_ball))
+    return none;
+  return {gap, sigma, share_beside};
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

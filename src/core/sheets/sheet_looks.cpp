@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/sheets/sheet_looks.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_test.h>
+
+#include <algorithm>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+// Two points of one sheet hardly lie farther apart across it.
+constexpr float sigmas_of_sheet = 4;
+// However large the noise seems for the sheets' sake.
+constexpr float usual_spacings = 1.2f;
+constexpr float closer_spacings = .65f;
+// Of the sample, by the first look: .1 to .46 in a ball inside the noise of one sheet, .6 to .97 of sheets that are lost in it.
+constexpr float most_beside_in_ball = .55f;
+} // namespace
+
+SheetLooks
+sheetLooks (float sigma, float spacing)
+{
+  const float of_noise = sigmas_of_sheet * sigma;
+  const float usual = std::min (of_noise, usual_spacings * spacing),
+              closer = std::min (of_noise, closer_spacings * spacing);
+  return {{{usual, sheet_row_length}, {usual, short_row_length}, {closer, short_row_length}}};
+}
+
+SheetSight
+seenSheets (const SheetSamples& samples, const SheetLooks& looks)
+{
+  const SheetEstimate first = estimateSheets (samples[0], looks[0].distance);
+  SheetEstimate sheets = first;
+  for (std::size_t i = 1; i < looks.size () && !(sheets.gap > 0); ++i)
+    sheets = estimateSheets (samples[i], looks[i].distance);
+  return {sheets, sheets.gap > 0 || first.share_beside > most_beside_in_ball};
+}
+
+SheetSight
+lookForSheets (const NeighborGraph& graph,
+               const Positions& positions,
+               const std::vector<std::uint32_t>& sample,
+               const SheetLooks& looks,
+               const Execution& execution)
+{
+  SheetSamples samples;
+  for (std::size_t i = 0; i < looks.size (); ++i)
+    samples[i] = sampleSheets (graph, positions, sample, looks[i], execution);
+  return seenSheets (samples, looks);
+}
+} // namespace core
+} // namespace pcl_normal_smoothing

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "noise/scanned_room.h"
+#include "searched.h"
+#include "smoothed.h"
+
+#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace
+{
+using namespace pcl_normal_smoothing;
+using namespace pcl_normal_smoothing::core;
+using namespace test_support;
+
+/** What a lidar that turns sees: in every line a point each quarter of a degree. */
+Vectors
+lidar (double noise, double degrees_between_lines = 2)
+{
+  return ScannedRoom (15, degrees_between_lines, .25, noise).points;
+}
+
+RegionalField
+linesOf (const Vectors& points, unsigned threads = 2)
+{
+  const Searched cloud (points);
+  return estimateLines (*cloud.graph, cloud.nodes, Execution (threads));
+}
+
+bool
+haveLines (const Vectors& points)
+{
+  return !linesOf (points).regions.empty ();
+}
+
+/** Facets five spacings wide, without noise. */
+Vectors
+folded ()
+{
+  Vectors points = planeGrid (80, 0.01f).points;
+  for (auto& p : points)
+    p.z () = 0.5f * std::abs (std::remainder (p.x () - 0.005f, 0.1f));
+  return points;
+}
+
+TEST (LinesTest, AreSeenWhateverTheNoise)
+{
+  for (const double noise : {0.0, 0.003, 0.01, 0.02, 0.04})
+    EXPECT_TRUE (haveLines (lidar (noise))) << noise;
+}
+
+TEST (LinesTest, OtherCloudsHaveNone)
+{
+  for (const double sigma : {0.0, 0.002, 0.006}) {
+    EXPECT_FALSE (haveLines (withNoise (planeGrid (80, 0.01f).points, sigma, 1))) << sigma;
+    EXPECT_FALSE (haveLines (withNoise (cube (40, 0.4).points, sigma, 1))) << sigma;
+    EXPECT_FALSE (haveLines (withNoise (torus (8000, 1, 0.4).points, 5 * sigma, 1))) << sigma;
+    EXPECT_FALSE (haveLines (withNoise (cylinder (188, 60, 0.3, 0.6).points, sigma, 1))) << sigma;
+  }
+  EXPECT_FALSE (haveLines (ScannedRoom (60, 1, 1, 0.01).points));
+  EXPECT_FALSE (haveLines (folded ()));
+}
+
+TEST (LinesTest, NeighbourhoodsGrowWithTheGap)
+{
+  float last = 0;
+  for (const double gap : {1, 2, 4}) {
+    const float halvings = linesOf (lidar (0.01, gap)).valueAt ({8, 0, 0}, -1);
+    EXPECT_GT (halvings, last + 0.5f) << gap;
+    last = halvings;
+  }
+}
+
+TEST (LinesTest, ThreadsAndOrderDoNotMatter)
+{
+  const Vectors points = lidar (0.02);
+  Vectors shuffled;
+  for (const std::uint32_t i : permutation (points.size (), 4))
+    shuffled.push_back (points[i]);
+  const std::vector<float> expected = linesOf (points, 1).values ();
+  EXPECT_EQ (linesOf (points, 2).values (), expected);
+  EXPECT_EQ (linesOf (shuffled).values (), expected);
+  EXPECT_GT (expected.size (), 4u);
+}
+
+TEST (LinesTest, WideRowsHoldSeveralLinesAndAllPoints)
+{
+  const Searched cloud (lidar (0.01));
+  const Widening widening = estimateWidening (*cloud.graph, cloud.nodes, Execution (2));
+  EXPECT_FALSE (widening.layers.hasLayers ());
+  const auto wide = widenNeighborhoods (*cloud.graph, cloud.nodes, widening, Execution (2));
+  ASSERT_TRUE (wide);
+  const auto lineOf = [&] (std::uint32_t node) {
+    const Eigen::Vector3f& p = cloud.nodes.base[node];
+    return std::lround (std::atan2 (p.z (), std::hypot (p.x (), p.y ())) * 90 / M_PI);
+  };
+  std::size_t single = 0;
+  std::set<std::uint32_t> neighbors;
+  for (std::uint32_t node = 0; node < wide->size (); ++node) {
+    const Row row = wide->row (node);
+    ASSERT_EQ (row.size (), 32u);
+    ASSERT_EQ (row[0], node);
+    std::set<long> lines;
+    for (std::size_t j = 0; j < 8; ++j)
+      lines.insert (lineOf (row[j]));
+    single += lines.size () == 1;
+    for (std::size_t j = 1; j < row.size (); ++j)
+      neighbors.insert (row[j]);
+  }
+  EXPECT_LT (static_cast<double> (single), 0.2 * static_cast<double> (wide->size ()));
+  EXPECT_GT (static_cast<double> (neighbors.size ()), 0.95 * static_cast<double> (wide->size ()));
+}
+
+TEST (LinesTest, TheNoiseIsThatAcrossTheLines)
+{
+  for (const double noise : {0.01, 0.02})
+    for (const double gap : {1, 2, 4}) {
+      const Searched cloud (lidar (noise, gap));
+      const NoiseEstimate read = estimateNoise (*cloud.graph, cloud.nodes, Execution (2));
+      EXPECT_GT (read.sigma, 0.7 * noise) << noise << ' ' << gap;
+      EXPECT_LT (read.sigma, 2 * noise) << noise << ' ' << gap;
+      EXPECT_LT (read.spacing, 0.1) << "of the cloud, not of the wide neighbourhoods";
+    }
+}
+
+TEST (LinesTest, WithoutNoiseNothingMoves)
+{
+  const Vectors points = lidar (0);
+  for (const Eigen::Vector3f& displacement : smoothed (asPositions (points), 32, wideningOptions (false)).displacements)
+    ASSERT_LT (displacement.norm (), 0.002);
+}
+
+class LinesPresets : public testing::TestWithParam<bool>
+{};
+
+TEST_P (LinesPresets, LinesAreSmoothedAcross)
+{
+  const std::uint32_t k = GetParam () ? 16 : 32;
+  for (const double noise : {0.01, 0.02, 0.08}) {
+    const Vectors points = lidar (noise);
+    SmoothingOptions options = wideningOptions (GetParam ());
+    const double before = ScannedRoom::error (points);
+    const Vectors widened = sum (points, smoothed (asPositions (points), k, options).displacements);
+    EXPECT_LT (ScannedRoom::error (widened), 0.6 * before) << noise;
+    options.widen_neighborhoods = false;
+    const Vectors stuck = sum (points, smoothed (asPositions (points), k, options).displacements);
+    EXPECT_GT (ScannedRoom::error (stuck), 0.9 * before) << noise << ": the test is of no use";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P (Presets, LinesPresets, testing::Bool (), [] (const auto& preset) {
+  return preset.param ? "Fast" : "Default";
+});
+} // namespace

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "noise/wide_clouds.h"
+#include "smoothed.h"
+
+#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
+#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using namespace pcl_normal_smoothing;
+using namespace pcl_normal_smoothing::core;
+using namespace test_support;
+
+RegionalField
+halvingsOf (const Vectors& points, unsigned threads = 2)
+{
+  return wideNoiseOf (points, threads).halvings;
+}
+
+TEST (WideNoiseTest, NeighbourhoodsGrowWithTheNoise)
+{
+  float last = 0;
+  for (const double noise : {0.5, 0.75, 1.1}) {
+    const float halvings = halvingsOf (square (noise)).valueAt ({.5f, .5f, 0}, -1);
+    EXPECT_GT (halvings, last + 0.5f) << noise;
+    last = halvings;
+  }
+}
+
+TEST (WideNoiseTest, WhereTheyWouldLoseDetailPointsAreProjected)
+{
+  const auto waves = [] (double length) {
+    Vectors points = square (1);
+    for (Eigen::Vector3f& point : points)
+      point.z () += static_cast<float> (0.1 * length * std::sin (2 * M_PI * point.x () / length));
+    return points;
+  };
+  const WideNoise of_detail = wideNoiseOf (waves (0.15)), of_long_waves = wideNoiseOf (waves (5));
+  EXPECT_NEAR (of_detail.ratios.valueAt ({.5f, .5f, 0}, 0), 1, 0.3f);
+  EXPECT_TRUE (of_long_waves.ratios.regions.empty ()) << "as wide as the square: no detail";
+  EXPECT_GT (of_long_waves.halvings.valueAt ({.5f, .5f, 0}, -1),
+             halvingsOf (square (1)).valueAt ({.5f, .5f, 0}, -1) - 0.5f);
+}
+
+TEST (WideNoiseTest, OtherCloudsAreAsTheyAre)
+{
+  EXPECT_EQ (wideNoiseOf (square (0)).sigma, 0);
+  EXPECT_EQ (wideNoiseOf (square (0.2)).sigma, 0);
+  for (const double noise : {0.1, 0.3})
+    EXPECT_EQ (wideNoiseOf (withNoise (sphere (8000, 1).points, noise * 0.04, 1)).sigma, 0) << noise;
+}
+
+TEST (WideNoiseTest, ClumpsHideIt)
+{
+  EXPECT_GT (halvingsOf (crossingSweeps (0.006)).valueAt ({.5f, .5f, 0}, -1), 1.5f);
+  EXPECT_GT (halvingsOf (crossingSweeps (0.003)).valueAt ({.5f, .5f, 0}, -1), 0.5f);
+}
+
+TEST (WideNoiseTest, CloseSheetsAreNone)
+{
+  for (const float gap : {0.009f, 0.01f, 0.012f})
+    EXPECT_EQ (wideNoiseOf (withNoise (parallelSheets (80, 0.01f, gap).points, 0.001, 1)).sigma, 0) << gap;
+  for (const double noise : {0.3, 0.4, 0.5})
+    EXPECT_EQ (wideNoiseOf (withNoise (parallelSheets (80, 0.01f, 0.02f).points, noise * 0.01, 1)).sigma, 0) << noise;
+}
+
+TEST (WideNoiseTest, WhatIsNoSurfaceStays)
+{
+  EXPECT_EQ (wideNoiseOf (leaves (wide_count)).sigma, 0);
+}
+
+TEST (WideNoiseTest, ASurfaceIsSeenInNoiseOfManySpacings)
+{
+  for (const double noise : {2.6, 3.0, 3.5})
+    EXPECT_GT (wideNoiseOf (bumpySphere (noise)).sigma, .8 * noise * std::sqrt (4 * M_PI) * wide_spacing) << noise;
+}
+
+TEST (WideNoiseTest, ThreadsAndOrderDoNotMatter)
+{
+  const Vectors points = square (1);
+  Vectors shuffled;
+  for (const std::uint32_t i : permutation (points.size (), 4))
+    shuffled.push_back (points[i]);
+  const std::vector<float> expected = halvingsOf (points, 1).values ();
+  EXPECT_FALSE (expected.empty ());
+  EXPECT_EQ (halvingsOf (points, 2).values (), expected);
+  EXPECT_EQ (halvingsOf (shuffled).values (), expected);
+}
+
+TEST (WideNoiseTest, AllOfTheNoiseIsRead)
+{
+  for (const double noise : {0.5, 1.0, 2.0}) {
+    const Searched cloud (square (noise));
+    const NoiseEstimate read = estimateNoise (*cloud.graph, cloud.nodes, Execution (2));
+    EXPECT_NEAR (read.sigma / (noise * wide_spacing), 1, 0.2) << noise;
+    EXPECT_LT (read.spacing, 3 * wide_spacing) << "of the cloud, not of the wide neighbourhoods";
+  }
+  const Searched bumps (bumpySphere (1.5)); // whose points are projected
+  const NoiseEstimate read = estimateNoise (*bumps.graph, bumps.nodes, Execution (2));
+  EXPECT_NEAR (read.sigma / (1.5 * std::sqrt (4 * M_PI) * wide_spacing), 1, 0.2);
+}
+
+/** What the smoothing takes for sigma, over what is read. */
+float
+takenOverRead (const Vectors& points)
+{
+  Searched cloud (points);
+  NeighborGraph::ConstPtr graph = cloud.graph;
+  SmoothingOptions options = wideningOptions (false);
+  prepareSmoothing ({}, Execution (2), graph, options, cloud.nodes);
+  return options.rounds.noise.sigma / estimateNoise (*cloud.graph, cloud.nodes, Execution (2)).sigma;
+}
+
+TEST (WideNoiseTest, SmoothingTakesItToBeLargerThanItIsRead)
+{
+  EXPECT_NEAR (takenOverRead (square (0.2)), 1, 0.01);
+  EXPECT_NEAR (takenOverRead (square (1)), 1.5, 0.01);
+}
+
+TEST (WideNoiseTest, SoItDoesOfEvenPointsWhereItIsReadInPart)
+{
+  const auto noisySphere = [] (double noise) { // along the normals
+    Vectors points = sphere (8000, 1).points;
+    for (std::size_t i = 0; i < points.size (); ++i)
+      points[i] *= static_cast<float> (1 + noise * 0.04 * gaussianNoise (1, i));
+    return points;
+  };
+  EXPECT_NEAR (takenOverRead (noisySphere (0.3)), 1, 0.01);
+  EXPECT_NEAR (takenOverRead (noisySphere (0.8)), 1.6, 0.01);
+}
+
+} // namespace

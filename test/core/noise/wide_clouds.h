@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "searched.h"
+
+#include <pcl_normal_smoothing/core/noise/wide_noise.h>
+
+#include <cmath>
+
+namespace test_support
+{
+inline constexpr int wide_count = 20000;
+inline const double wide_spacing = 1 / std::sqrt (wide_count);
+
+/** A square at random points; noise in spacings. */
+inline Vectors
+square (double noise)
+{
+  Vectors points;
+  for (std::uint64_t i = 0; i < wide_count; ++i)
+    points.push_back (
+        Eigen::Vector3d (uniformNoise (1, i), uniformNoise (2, i), noise * wide_spacing * gaussianNoise (3, i))
+            .cast<float> ());
+  return points;
+}
+
+/** A square in sweeps that cross: along each, points are closer to each other than to those of another. */
+inline Vectors
+crossingSweeps (double noise)
+{
+  constexpr std::uint64_t sweeps = 160, points_of_each = 300;
+  Vectors points;
+  for (std::uint64_t i = 0; i < sweeps * points_of_each; ++i) {
+    const std::uint64_t sweep = i / points_of_each;
+    const double direction = 2 * M_PI * uniformNoise (4, sweep);
+    const double way = static_cast<double> (i % points_of_each) / points_of_each - .5;
+    const Eigen::Vector3d point (uniformNoise (5, sweep) + way * std::cos (direction),
+                                 uniformNoise (6, sweep) + way * std::sin (direction), noise * gaussianNoise (7, i));
+    if (point.head<2> ().minCoeff () > 0 && point.head<2> ().maxCoeff () < 1)
+      points.push_back (point.cast<float> ());
+  }
+  return points;
+}
+
+/** A cube full of points: no surface. */
+inline Vectors
+leaves (std::uint64_t count)
+{
+  Vectors points;
+  for (std::uint64_t i = 0; i < count; ++i)
+    points.push_back (Eigen::Vector3d (uniformNoise (1, i), uniformNoise (2, i), uniformNoise (3, i)).cast<float> ());
+  return points;
+}
+
+/** From the plane z = 0. */
+inline double
+meanDistance (const Vectors& points)
+{
+  double sum = 0;
+  for (const auto& p : points)
+    sum += std::abs (p.z ());
+  return sum / static_cast<double> (points.size ());
+}
+
+/** Of a bumpy sphere, from its middle. */
+inline double
+heightOfBumps (const Eigen::Vector3d& direction)
+{
+  return 1 + 0.05 * std::sin (8 * direction.x ()) * std::sin (8 * direction.y ()) * std::sin (8 * direction.z ());
+}
+
+/** At random points, with noise in all directions, in spacings; with bumps. */
+inline Vectors
+bumpySphere (double noise)
+{
+  const double spacing_of_sphere = std::sqrt (4 * M_PI / wide_count);
+  Vectors points;
+  for (std::uint64_t i = 0; i < wide_count; ++i) {
+    const double z = 2 * uniformNoise (1, i) - 1, angle = 2 * M_PI * uniformNoise (2, i),
+                 in_plane = std::sqrt (1 - z * z);
+    const Eigen::Vector3d direction (in_plane * std::cos (angle), in_plane * std::sin (angle), z);
+    points.push_back ((heightOfBumps (direction) * direction).cast<float> ());
+  }
+  return withNoise (points, noise * spacing_of_sphere, 3);
+}
+
+inline pcl_normal_smoothing::core::WideNoise
+wideNoiseOf (const Vectors& points, unsigned threads = 2)
+{
+  const Searched cloud (points);
+  return estimateWideNoise (*cloud.graph, cloud.nodes, pcl_normal_smoothing::core::Execution (threads));
+}
+} // namespace test_support

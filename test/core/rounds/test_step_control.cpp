@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graph_rows.h"
+#include "shapes.h"
+
+#include <pcl_normal_smoothing/core/search/node_blocks.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace
+{
+using namespace pcl_normal_smoothing::core;
+using namespace test_support;
+
+/** A few points whose normals are z. */
+class StepControlTest : public testing::Test
+{
+protected:
+  StepControlTest ()
+  : graph_ (NeighborGraph::build (asPositions (planeGrid (2, 1).points), {3}, Execution (1)))
+  , nodes_ (gather (asPositions (planeGrid (2, 1).points), graph_->order ()))
+  , normals_ (graph_->size (), Eigen::Vector3f::UnitZ ())
+  , proposed_ (graph_->size (), Eigen::Vector3f::UnitZ ())
+  , moved_ (graph_->size (), 0.0f)
+  , risks_ (2 * graph_->size (), 0.0f)
+  {
+    control_.nodes = nodeArrays (nodes_, normals_);
+    control_.proposed = control_.taken = proposed_.data ()->data ();
+    control_.moved = moved_.data ();
+    control_.risks = risks_.data ();
+    control_.gain = 1;
+    control_.max_displacement = std::numeric_limits<float>::infinity ();
+  }
+
+  template <typename Kernel>
+  void
+  run (const Kernel& kernel)
+  {
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernel (control_, rows); });
+  }
+
+  /** The share of the step that is taken, by the averages of stepRisks. */
+  float
+  shareFor (float product, float size)
+  {
+    proposed_.assign (graph_->size (), Eigen::Vector3f::UnitZ ());
+    for (std::size_t i = 0; i < graph_->size (); ++i)
+      risks_[2 * i] = product, risks_[2 * i + 1] = size;
+    run (kernels ().take_steps);
+    return proposed_[0].z ();
+  }
+
+  NeighborGraph::ConstPtr graph_;
+  Positions nodes_;
+  Vectors normals_, proposed_;
+  Numbers moved_, risks_;
+  StepControl control_ {};
+};
+
+TEST_F (StepControlTest, TheFourthPowerOfWhatTheRiskAllowsIsTaken)
+{
+  const float size = std::sqrt (2 / 1.57079633f); // a mean square of 2
+  EXPECT_NEAR (shareFor (0, size), std::pow (0.5, 4), 1e-6);
+  EXPECT_NEAR (shareFor (0.5f, size), std::pow (0.25, 4), 1e-6);
+  EXPECT_NEAR (shareFor (-1, size), 1, 1e-6);
+  EXPECT_EQ (shareFor (-5, size), 1);
+  EXPECT_EQ (shareFor (1.5f, size), 0);
+  EXPECT_EQ (shareFor (0, 0), 0);
+}
+
+TEST_F (StepControlTest, APointSaysNoMoreThanThreeGains)
+{
+  const std::pair<float, float> products[] = {{0.5f, 0.5f}, {-2, -2}, {100, 3}, {-100, -3}};
+  for (const auto& [moved, expected] : products) {
+    moved_.assign (graph_->size (), moved);
+    run (kernels ().step_risks);
+    EXPECT_EQ (risks_[0], expected);
+    EXPECT_EQ (risks_[1], 1);
+  }
+}
+TEST_F (StepControlTest, WhereTheNoiseIsLargeAStepMayCostMore)
+{
+  control_.gain = 4;
+  const float expected = shareFor (3, 1);
+  const Numbers factors (graph_->size (), 4.0f);
+  control_.gain = 1;
+  EXPECT_NE (shareFor (3, 1), expected);
+  control_.variance_factors = factors.data ();
+  EXPECT_EQ (shareFor (3, 1), expected);
+}
+} // namespace

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "searched.h"
+#include "shapes.h"
+
+#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_looks.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace pcl_normal_smoothing::core;
+using namespace test_support;
+
+constexpr float spacing = 0.02f;
+
+/** \param[in] noise in spacings, along the normals; the sheets are looked for by it */
+SheetSight
+sightOf (const Shape& shape, float noise, std::uint32_t k)
+{
+  Vectors points = shape.points;
+  for (std::size_t i = 0; i < points.size (); ++i)
+    points[i] += noise * spacing * static_cast<float> (gaussianNoise (3, i)) * shape.normals[i];
+  const Searched cloud (points, {k});
+  const Execution execution (2);
+  return lookForSheets (*cloud.graph, cloud.nodes, sampleNodes (cloud.nodes, sheet_sample_size, execution),
+                        sheetLooks (noise * spacing, spacing), execution);
+}
+
+class SheetLooksTest : public testing::TestWithParam<std::uint32_t>
+{};
+
+TEST_P (SheetLooksTest, SeeSheetsThatAreAsCloseAsTheirPoints)
+{
+  const std::pair<float, float> sheets[] = {{1, .1f}, {1, .2f}, {1.2f, .2f}, {1.5f, .2f}, {1.5f, .3f}, {2, .2f}};
+  for (const auto& [gap, noise] : sheets) {
+    const SheetSight seen = sightOf (parallelSheets (60, spacing, gap * spacing), noise, GetParam ());
+    EXPECT_NEAR (seen.sheets.gap / spacing, gap, .2 * gap) << "noise " << noise;
+    EXPECT_TRUE (seen.may_be);
+  }
+}
+
+TEST_P (SheetLooksTest, SeeNoneWhereThereIsOneSheet)
+{
+  const Shape shapes[] = {planeGrid (60, spacing), sphere (8000, .5), cube (30, .6), torus (5000, .4, .1)};
+  for (const Shape& shape : shapes)
+    for (const float noise : {0.0f, .05f, .2f, .5f}) {
+      const SheetSight seen = sightOf (shape, noise, GetParam ());
+      EXPECT_EQ (seen.sheets.gap, 0) << "shape " << &shape - shapes << ", noise " << noise;
+      EXPECT_FALSE (seen.may_be) << "shape " << &shape - shapes << ", noise " << noise;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P (Rows, SheetLooksTest, testing::Values (32u, 16u));
+
+TEST (SheetLooksTest, SheetsMayBeLostInTheNoise)
+{
+  const SheetSight seen = sightOf (parallelSheets (60, spacing, 2.5f * spacing), .5f, 32);
+  EXPECT_EQ (seen.sheets.gap, 0) << "the test is of no use";
+  EXPECT_TRUE (seen.may_be);
+}
+
+TEST (SheetLooksTest, NothingGivesNothing)
+{
+  EXPECT_EQ (seenSheets ({}, sheetLooks (1, 1)).sheets.gap, 0);
+  EXPECT_FALSE (seenSheets ({}, sheetLooks (1, 1)).may_be);
+}
+} // namespace

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graph_rows.h"
+#include "shapes.h"
+
+#include <pcl_normal_smoothing/core/sheets/sheet_separation.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace
+{
+using namespace pcl_normal_smoothing::core;
+using namespace test_support;
+
+constexpr float spacing = 0.02f;
+constexpr float noise = 0.2f * spacing;
+
+Vectors
+withNormalNoise (const Shape& shape, std::uint64_t seed)
+{
+  Vectors points = shape.points;
+  for (std::size_t i = 0; i < points.size (); ++i)
+    points[i] += noise * static_cast<float> (gaussianNoise (seed, i)) * shape.normals[i];
+  return points;
+}
+
+struct Separated
+{
+  NeighborGraph::ConstPtr before, after;
+  Positions nodes;
+};
+
+Separated
+separated (const Vectors& points, float distance, unsigned threads = 2)
+{
+  const Execution execution (threads);
+  Separated result;
+  result.before = NeighborGraph::build (asPositions (points), {32}, execution);
+  result.nodes = gather (asPositions (points), result.before->order ());
+  result.after = separateSheets (result.before, result.nodes, {distance}, execution);
+  return result;
+}
+
+/** Of all neighbours, the share on the other of two sheets that follow each other in the cloud. */
+double
+shareOfOthers (const NeighborGraph& graph)
+{
+  const std::size_t half = graph.cloudSize () / 2;
+  double others = 0, all = 0;
+  for (std::size_t node = 0; node < graph.size (); ++node)
+    for (const std::uint32_t neighbor : rowInCloud (graph, node)) {
+      others += (neighbor < half) != (graph.order ()[node] < half);
+      ++all;
+    }
+  return others / all;
+}
+
+TEST (SheetSeparationTest, RowsKeepToTheirSheet)
+{
+  // The rest stands along the outline, where a plane across both sheets fits as well, and in rows of one or two of them.
+  const std::pair<float, double> shares_left[] = {{1.5f, 0.35}, {2.0f, 0.2}, {3.0f, 0.2}};
+  for (const auto& [gap, share_left] : shares_left) {
+    const Separated sheets = separated (withNormalNoise (parallelSheets (50, spacing, gap * spacing), 3), 4 * noise);
+    const double before = shareOfOthers (*sheets.before), after = shareOfOthers (*sheets.after);
+    EXPECT_GT (before, 0.05) << gap << " spacings apart";
+    EXPECT_LT (after, share_left * before) << gap << " spacings apart: " << before << " -> " << after;
+  }
+}
+
+TEST (SheetSeparationTest, ChangedRowsAreFullAndInOrder)
+{
+  const Separated sheets = separated (withNormalNoise (parallelSheets (30, spacing, 2 * spacing), 4), 4 * noise);
+  for (std::uint32_t node = 0; node < sheets.after->size (); ++node) {
+    const Row row = sheets.after->row (node);
+    ASSERT_EQ (row.size (), 32u) << node;
+    ASSERT_EQ (row[0], node);
+    for (std::size_t j = 1; j + 1 < row.size (); ++j)
+      ASSERT_LE (squaredLength (sheets.nodes.difference (node, row[j])),
+                 squaredLength (sheets.nodes.difference (node, row[j + 1])));
+  }
+}
+
+TEST (SheetSeparationTest, NeighboursPastThe32ndDoNotMatter)
+{
+  const Positions cloud = asPositions (withNormalNoise (parallelSheets (40, spacing, 1.2f * spacing), 8));
+  const Execution execution (2);
+  const auto rows_of = [&] (std::uint32_t k, bool separate) {
+    const NeighborGraph::ConstPtr graph = NeighborGraph::build (cloud, {k}, execution);
+    const Positions nodes = gather (cloud, graph->order ());
+    return rowsByPoint (separate ? *separateSheets (graph, nodes, {4 * noise}, execution) : *graph);
+  };
+  const auto searched = rows_of (32, false), expected = rows_of (32, true), of_long = rows_of (150, true);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < cloud.size (); ++i) {
+    const bool same = expected[i] == searched[i];
+    changed += !same;
+    ASSERT_EQ (of_long[i].size (), same ? 150u : expected[i].size ()) << i;
+    EXPECT_TRUE (std::equal (expected[i].begin (), expected[i].end (), of_long[i].begin ())) << i;
+  }
+  EXPECT_GT (changed, cloud.size () / 2);
+}
+
+TEST (SheetSeparationTest, OneSheetStaysAsItIs)
+{
+  const Shape shapes[] = {planeGrid (60, spacing), sphere (30000, 1), cube (50, 1), torus (20000, 1, 0.4)};
+  for (const Shape& shape : shapes) {
+    const Separated sheet = separated (withNormalNoise (shape, 5), 4 * noise);
+    std::size_t changed = 0;
+    for (std::size_t node = 0; node < sheet.before->size (); ++node)
+      changed += rowInCloud (*sheet.before, node) != rowInCloud (*sheet.after, node);
+    EXPECT_LT (changed, sheet.before->size () / 100);
+  }
+}
+
+TEST (SheetSeparationTest, AnInfiniteDistanceChangesNothing)
+{
+  const Separated sheets =
+      separated (parallelSheets (20, spacing, 2 * spacing).points, std::numeric_limits<float>::infinity ());
+  EXPECT_EQ (sheets.before, sheets.after);
+}
+
+TEST (SheetSeparationTest, OrientedNormalsSeparateSheetsAtOneSpacing)
+{
+  const Shape sheets = parallelSheets (40, spacing, spacing);
+  const Execution execution (2);
+  const Positions cloud = asPositions (withNormalNoise (sheets, 6));
+  const NeighborGraph::ConstPtr graph = NeighborGraph::build (cloud, {32}, execution);
+  const Vectors normals = byNode (sheets.normals, *graph);
+  const Positions nodes = gather (cloud, graph->order ());
+  EXPECT_EQ (shareOfOthers (*separateSheets (graph, nodes, {1, &normals}, execution)), 0);
+}
+
+TEST (SheetSeparationTest, ThreadsDoNotMatter)
+{
+  const Vectors points = withNormalNoise (parallelSheets (40, spacing, 1.5f * spacing), 7);
+  const auto expected = rowsByPoint (*separated (points, 4 * noise, 1).after);
+  EXPECT_EQ (rowsByPoint (*separated (points, 4 * noise, 4).after), expected);
+}
+} // namespace
