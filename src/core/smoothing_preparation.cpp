@@ -20,6 +20,8 @@ constexpr float displacement_sigmas = 5;
 constexpr float sheet_sigmas = 4;
 // Where noise varies, no more than that for the sake of its largest.
 constexpr float sheet_spacings = 1.2f;
+// Where it varies by more, no distance tells sheets from noise everywhere.
+constexpr float most_over_sheets = 3;
 // Of the way to another sheet: a point of the own one too few is better than one of the other.
 constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
@@ -50,7 +52,8 @@ float
 sheetSigmas (const NoiseEstimate& noise)
 {
   const float usual = sheet_sigmas * noise.sigma, largest = usual * noise.field.largestFactor ();
-  return std::max (usual, std::min (largest, sheet_spacings * noise.spacing));
+  const float distance = std::max (usual, std::min (largest, sheet_spacings * noise.spacing));
+  return largest > most_over_sheets * distance ? std::numeric_limits<float>::infinity () : distance;
 }
 
 /** The noise has to be estimated. */
@@ -104,6 +107,17 @@ takenSigma (const NoiseEstimate& read)
 {
   const float above = read.spacing > 0 ? read.sigma / read.spacing - perhaps_wide : 0;
   return read.sigma * (1 + (unread_noise_factor - 1) * std::clamp (above / (as_if_wide - perhaps_wide), 0.0f, 1.0f));
+}
+
+/** Takes the noise to be larger where neighbourhoods grow with it. */
+NoiseField
+largerWhereWide (NoiseField field, const RegionalField& halvings)
+{
+  constexpr float least_halvings = .5f; // from there on they grow
+  for (RegionalField::Region& region : field.factors.regions)
+    if (halvings.valueAt (region.centre, 0) >= least_halvings)
+      region.value *= wide_noise_factor;
+  return field;
 }
 
 /** Sets whatever else is to be estimated. */
@@ -195,7 +209,10 @@ private:
   noiseOf (const NoiseSample& sample) const
   {
     NoiseEstimate noise = estimateNoise (sample, widening_);
-    if (widening_.wide_noise.sigma > 0 && !widening_.projects ())
+    const WideNoise& wide = widening_.wide_noise;
+    if (!wide.is_everywhere)
+      noise.field = largerWhereWide (noise.field, wide.halvings);
+    else if (wide.sigma > 0 && !widening_.projects ())
       noise.sigma *= wide_noise_factor;
     return noise;
   }

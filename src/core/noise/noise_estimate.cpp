@@ -177,7 +177,8 @@ estimateNoise (const NoiseSample& sample, const Widening& widening)
     return noiseInLayers (sample, widening.layers);
   NoiseEstimate noise = estimateNoise (sample, !widening.lines.regions.empty () ? Between::LINES : Between::NOTHING);
   noise.sigma = widening.wide_noise.sigma > 0 ? widening.wide_noise.sigma : widening.rounding.atLeast (noise.sigma);
-  if (widening.projects ()) // the sample is of points that moved
+  if (widening.projects () ||
+      !widening.wide_noise.is_everywhere) // the sample is of points that moved, or of rows that differ
     noise.field = widening.wide_noise.field;
   return noise;
 }

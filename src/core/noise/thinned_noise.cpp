@@ -8,7 +8,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -37,18 +39,39 @@ upperResidual (const NoiseSample& sample)
 }
 } // namespace
 
-ThinnedNoise::ThinnedNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+double
+ThinnedNoise::ratio (int halvings)
+{
+  const NoiseEstimate& of_cloud = noise (halvings);
+  return of_cloud.spacing > 0 ? of_cloud.sigma / of_cloud.spacing : 0;
+}
+
+const ThinnedNoise::Shown&
+ThinnedNoise::shown (int halvings)
+{
+  while (shown_.size () <= static_cast<std::size_t> (halvings)) {
+    NoiseSample sample = thinnedSample (static_cast<int> (shown_.size ()));
+    const NoiseEstimate noise = estimateNoise (sample);
+    const double residual = upperResidual (sample);
+    shown_.push_back ({std::move (sample), noise, residual});
+  }
+  return shown_[static_cast<std::size_t> (halvings)];
+}
+
+ThinnedNoiseOfCloud::ThinnedNoiseOfCloud (const NeighborGraph& graph,
+                                          const Positions& nodes,
+                                          const Execution& execution)
 : graph_ (graph), nodes_ (nodes), execution_ (execution), sample_ (sampleNodes (nodes, noise_sample_size, execution))
 {}
 
 int
-ThinnedNoise::mostHalvings () const
+ThinnedNoiseOfCloud::mostHalvings () const
 {
   return ThinnedCloud::mostHalvings (nodes_.size (), ThinnedCloud::least_size);
 }
 
 NoiseSample
-ThinnedNoise::sample (int halvings) const
+ThinnedNoiseOfCloud::thinnedSample (int halvings)
 {
   const std::uint32_t length = rowLength ();
   if (halvings == 0 || sample_.empty ())
@@ -61,15 +84,8 @@ ThinnedNoise::sample (int halvings) const
   return sampleNoise (*graph_.withRows (sample_, rows, length), nodes_, sample_, nodes_.size (), execution_);
 }
 
-double
-ThinnedNoise::ratio (int halvings)
-{
-  const NoiseEstimate of_cloud = noise (halvings);
-  return of_cloud.spacing > 0 ? of_cloud.sigma / of_cloud.spacing : 0;
-}
-
 bool
-ThinnedNoise::hasTurningPlanes () const
+ThinnedNoiseOfCloud::hasTurningPlanes () const
 {
   std::size_t turned = 0, all = 0;
   for (const Ways& ways : quickSample (graph_, nodes_, execution_)) {
@@ -81,19 +97,18 @@ ThinnedNoise::hasTurningPlanes () const
 }
 
 double
-ThinnedNoise::thickness () const
+ThinnedNoiseOfCloud::thickness () const
 {
   return cloudThickness (nodes_, execution_);
 }
 
-const ThinnedNoise::Shown&
-ThinnedNoise::shown (int halvings)
+NoiseSample
+ThinnedNoiseOfPart::thinnedSample (int halvings)
 {
-  while (shown_.size () <= static_cast<std::size_t> (halvings)) {
-    const NoiseSample of_cloud = sample (static_cast<int> (shown_.size ()));
-    shown_.push_back ({estimateNoise (of_cloud), upperResidual (of_cloud)});
-  }
-  return shown_[static_cast<std::size_t> (halvings)];
+  NoiseSample part = cloud_.sample (halvings);
+  const auto is_out = [this] (const NoiseSample::Residuals& residuals) { return !isIn (residuals.place); };
+  part.of_nodes.erase (std::remove_if (part.of_nodes.begin (), part.of_nodes.end (), is_out), part.of_nodes.end ());
+  return part;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/noise/thinned_noise.h>
 #include <pcl_normal_smoothing/core/noise/wide_noise.h>
+#include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 #include <pcl_normal_smoothing/core/sheets/sheet_looks.h>
 #include <pcl_normal_smoothing/core/sheets/sheet_test.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -43,9 +46,16 @@ constexpr double least_reach = 4.25;
 constexpr double growth_of_reach = 1.58;
 constexpr int most_halvings_without_loss = 2;
 constexpr double max_growth = 1.05;
+// Where the noise is wide in a part of the cloud only. From one halving to four, neighbourhoods become 2.8 times as wide.
+constexpr int few_halvings = 1, more_halvings = 4;
+constexpr float min_shown_ratio = .3f;
+constexpr float growth_of_wide = 1.3f, growth_near_wide = 1.2f;
+constexpr std::size_t least_part = 64; // of the sample
+constexpr double min_growth_in_part = 1.4;
+constexpr double max_spread_in_part = 1.2;
 
 bool
-hidesNoise (ThinnedNoise& noise)
+hidesNoise (ThinnedNoiseOfCloud& noise)
 {
   const double ratio = noise.ratio (0);
   const auto fallsBelow = [&] (double share, int halvings) { return noise.ratio (halvings) < share * ratio; };
@@ -58,7 +68,7 @@ hidesNoise (ThinnedNoise& noise)
 /** \return how often the cloud has to be halved, as a whole, for its noise to be read; 0 where it need not be, or where no surface is seen
   * however often: leaves and grass stay as they are */
 int
-halvingsToRead (ThinnedNoise& noise)
+halvingsToRead (ThinnedNoiseOfCloud& noise)
 {
   const int most = noise.mostHalvings ();
   if (most == 0 || !hidesNoise (noise))
@@ -128,13 +138,149 @@ localRatios (const NoiseSample& shown, const NoiseEstimate& noise, int halvings,
 }
 
 /** How often the cloud has to be halved for rows of that length to reach so many sigmas. */
-RegionalField
-halvingsToReach (double sigmas, std::vector<LocalValue> ratios, std::uint32_t row_length, float spacing)
+std::vector<LocalValue>
+halvingsToReach (double sigmas, std::vector<LocalValue> ratios, std::uint32_t row_length)
 {
   const double reach = std::sqrt (row_length / M_PI); // in spacings
   for (LocalValue& local : ratios)
     local.value = static_cast<float> (std::max (0.0, 2 * std::log2 (sigmas * local.value / reach)));
-  return regionalMedians (ratios, spacing);
+  return ratios;
+}
+
+/** The same noise all over the cloud, or nearly so. */
+WideNoise
+wideNoiseOfCloud (ThinnedNoiseOfCloud& cloud, int to_read)
+{
+  const NoiseEstimate& noise = cloud.noise (to_read);
+  const float sigma = sigmaOf (cloud, to_read);
+  const int without_loss = halvingsWithoutLoss (cloud, to_read);
+  const std::vector<LocalValue> ratios = localRatios (cloud.sample (to_read), noise, to_read, sigma);
+  const double usual_ratio = sigma / noise.spacing * std::exp2 (.5 * to_read);
+  const double reach = least_reach * std::pow (growth_of_reach, without_loss);
+  WideNoise wide;
+  wide.sigma = sigma;
+  wide.field = noise.field;
+  wide.halvings = regionalMedians (halvingsToReach (reach, ratios, cloud.rowLength ()), noise.spacing);
+  if (without_loss == 0 && usual_ratio >= least_ratio_to_project)
+    wide.ratios = regionalMedians (ratios, noise.spacing);
+  return wide;
+}
+
+/** A number of the residuals at the places of the sample, by regions; those where it is not finite do not count. */
+template <typename Number>
+RegionalField
+regionalNumbers (ThinnedNoise& cloud, const Number& number)
+{
+  const std::vector<NoiseSample::Residuals>& all = cloud.sample (0).of_nodes;
+  std::vector<LocalValue> numbers;
+  for (std::size_t s = 0; s < all.size (); ++s)
+    if (const float value = number (s); std::isfinite (value))
+      numbers.push_back ({all[s].place, value});
+  return numbers.empty () ? RegionalField () : regionalMedians (numbers, cloud.noise (0).spacing);
+}
+
+/** How much more noise the nearest points show where more halvings thin the cloud, by regions: 1 where it is read in full, or is small
+  * against their spacing. Without regions where it is so everywhere. */
+RegionalField
+growthOfNoise (ThinnedNoise& cloud)
+{
+  const auto sigma = [&cloud] (int halvings, std::size_t s) {
+    const std::vector<NoiseSample::Residuals>& of_nodes = cloud.sample (halvings).of_nodes;
+    return s < of_nodes.size () ? std::sqrt (of_nodes[s].variances.front ()) : std::numeric_limits<float>::quiet_NaN ();
+  };
+  const RegionalField ratios = regionalNumbers (cloud, [&] (std::size_t s) {
+    return sigma (0, s) / (static_cast<float> (spacing_of_reach) * cloud.sample (0).of_nodes[s].distance);
+  });
+  const auto is_small = [] (const RegionalField::Region& region) { return region.value < min_shown_ratio; };
+  if (std::all_of (ratios.regions.begin (), ratios.regions.end (), is_small))
+    return {};
+  RegionalField growth =
+      regionalNumbers (cloud, [&] (std::size_t s) { return sigma (more_halvings, s) / sigma (few_halvings, s); });
+  for (RegionalField::Region& region : growth.regions)
+    if (ratios.valueAt (region.centre, 0) < min_shown_ratio)
+      region.value = 1;
+  return growth;
+}
+
+/** How far the quartiles of what quadrics leave are apart, as a ratio of sigmas: 1 of one noise, more of detail. */
+double
+spreadOf (const NoiseSample& sample)
+{
+  constexpr double of_noise = 2.27; // of chi-square by 6 degrees of freedom, as twelve points have
+  std::vector<float> variances;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+    if (std::isfinite (residuals.variances[1]) && residuals.distance > 0)
+      variances.push_back (residuals.variances[1] / (residuals.distance * residuals.distance));
+  return std::sqrt (quantile (variances, .75) / (of_noise * quantile (variances, .25)));
+}
+
+/** Whether a part of the cloud hides noise, of which its regions show more and more as it is thinned. Detail does, too, but is not the
+  * same all over it. */
+bool
+hidesNoiseInPart (ThinnedNoise& part)
+{
+  if (part.sample (0).of_nodes.size () < least_part || !(part.ratio (0) > read_surely))
+    return false;
+  const double growth =
+      part.ratio (more_halvings) / part.ratio (few_halvings) * std::exp2 (.5 * (more_halvings - few_halvings));
+  return growth > min_growth_in_part && spreadOf (part.sample (0)) < max_spread_in_part;
+}
+
+/** \return how often the cloud has to be halved for the noise of a part to be read that hides it; 0: there is no surface */
+int
+halvingsToReadPart (ThinnedNoise& part)
+{
+  for (int halvings = 1; halvings < part.mostHalvings (); ++halvings)
+    if (part.ratio (halvings) < read_surely && part.ratio (halvings + 1) < max_fall * part.ratio (halvings))
+      return halvings;
+  return 0;
+}
+
+/** sigma at the places of a sample. */
+std::vector<LocalValue>
+localSigmas (const NoiseSample& sample, const NoiseField& field, float sigma)
+{
+  std::vector<LocalValue> sigmas;
+  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
+    sigmas.push_back ({residuals.place, sigma * field.factorAt (residuals.place)});
+  return sigmas;
+}
+
+/** Where the noise is wide in a part of the cloud only: that of depth cameras grows as the square of the distance, the spacing as
+  * the distance. \return sigma 0 where it is so nowhere */
+WideNoise
+wideNoiseOfPart (ThinnedNoiseOfCloud& cloud)
+{
+  const NoiseEstimate& read = cloud.noise (0);
+  if (!(read.spacing > 0) || cloud.mostHalvings () < more_halvings)
+    return {};
+  const RegionalField growth = growthOfNoise (cloud);
+  constexpr float infinity = std::numeric_limits<float>::infinity ();
+  ThinnedNoiseOfPart core (cloud, growth, growth_of_wide, infinity), wide (cloud, growth, growth_near_wide, infinity),
+      other (cloud, growth, -1, growth_near_wide);
+  const int to_read = hidesNoiseInPart (core) ? halvingsToReadPart (core) : 0;
+  if (to_read == 0)
+    return {};
+  const float sigma = sigmaOf (wide, to_read);
+  const double reach = least_reach * std::pow (growth_of_reach, halvingsWithoutLoss (wide, to_read));
+  const NoiseField& field = wide.noise (to_read).field;
+  std::vector<LocalValue> halvings =
+      halvingsToReach (reach, localRatios (wide.sample (to_read), wide.noise (to_read), to_read, sigma),
+                       cloud.rowLength ());
+  std::vector<LocalValue> sigmas = localSigmas (wide.sample (to_read), field, sigma);
+  for (const LocalValue& local : localSigmas (other.sample (0), read.field, read.sigma)) {
+    sigmas.push_back (local);
+    halvings.push_back ({local.place, 0});
+  }
+  std::vector<float> values;
+  for (const LocalValue& local : sigmas)
+    values.push_back (local.value);
+  WideNoise noise;
+  noise.sigma = quantile (values, .5);
+  noise.field = relativeField (regionalMedians (sigmas, read.spacing), noise.sigma);
+  noise.halvings = regionalMedians (halvings, read.spacing);
+  noise.is_everywhere = false;
+  return noise;
 }
 } // namespace
 
@@ -144,20 +290,10 @@ estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Exe
   if (graph.minRowLength () < noise_row_length)
     return {};
   const Execution still = execution.still ();
-  ThinnedNoise thinned (graph, nodes, still);
-  const int to_read = halvingsToRead (thinned);
-  if (to_read == 0 || mayBeSheets (nodes, thinned.noise (0), still))
-    return {};
-  const NoiseEstimate noise = thinned.noise (to_read);
-  const float sigma = sigmaOf (thinned, to_read);
-  const int without_loss = halvingsWithoutLoss (thinned, to_read);
-  const std::vector<LocalValue> ratios = localRatios (thinned.sample (to_read), noise, to_read, sigma);
-  const double usual_ratio = sigma / noise.spacing * std::exp2 (.5 * to_read);
-  const double reach = least_reach * std::pow (growth_of_reach, without_loss);
-  WideNoise wide {sigma, noise.field, halvingsToReach (reach, ratios, thinned.rowLength (), noise.spacing), {}};
-  if (without_loss == 0 && usual_ratio >= least_ratio_to_project)
-    wide.ratios = regionalMedians (ratios, noise.spacing);
-  return wide;
+  ThinnedNoiseOfCloud cloud (graph, nodes, still);
+  const int to_read = halvingsToRead (cloud);
+  const WideNoise wide = to_read > 0 ? wideNoiseOfCloud (cloud, to_read) : wideNoiseOfPart (cloud);
+  return wide.sigma > 0 && mayBeSheets (nodes, cloud.noise (0), still) ? WideNoise () : wide;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

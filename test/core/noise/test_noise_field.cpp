@@ -143,8 +143,8 @@ TEST (NoiseFieldTest, WherePartOfACloudIsCleanFactorsStayWithinBounds)
         noisy (planeGrid (80, 0.01f), [&] (const Eigen::Vector3f& p) { return p.x () < border ? 0 : 0.002; });
     const NoiseField field = estimateOf (points).field;
     for (const auto& point : points) {
-      EXPECT_GE (field.factorAt (point), 0.124f);
-      EXPECT_LE (field.factorAt (point), 8.01f);
+      EXPECT_GE (field.factorAt (point), 0.031f);
+      EXPECT_LE (field.factorAt (point), 32.01f);
     }
   }
 }

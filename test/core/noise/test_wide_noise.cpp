@@ -79,6 +79,18 @@ TEST (WideNoiseTest, ASurfaceIsSeenInNoiseOfManySpacings)
     EXPECT_GT (wideNoiseOf (bumpySphere (noise)).sigma, .8 * noise * std::sqrt (4 * M_PI) * wide_spacing) << noise;
 }
 
+TEST (WideNoiseTest, OfAPartOfTheCloud)
+{
+  const WideNoise wide = wideNoiseOf (withNoiseOfDepth (twoWalls (1, 5), 0.002));
+  EXPECT_FALSE (wide.is_everywhere);
+  const Eigen::Vector3f near (-.25f, 0, 1), far (2, 0, 5);
+  EXPECT_LT (wide.halvings.valueAt (near, -1), .5f) << "neighbourhoods would grow";
+  EXPECT_GT (wide.halvings.valueAt (far, -1), 1);
+  EXPECT_GT (wide.sigma * wide.field.factorAt (far), 0.5 * 0.002 * 25);
+  EXPECT_LT (wide.sigma * wide.field.factorAt (far), 1.5 * 0.002 * 25);
+  EXPECT_LT (wide.sigma * wide.field.factorAt (near), 0.3 * 0.002 * 25);
+}
+
 TEST (WideNoiseTest, ThreadsAndOrderDoNotMatter)
 {
   const Vectors points = square (1);

@@ -52,6 +52,22 @@ TEST_P (WideNoisePresets, DetailIsKept)
   }
 }
 
+TEST_P (WideNoisePresets, WallsFarFromADepthCameraAreSmoothed)
+{
+  const Vectors walls = twoWalls (1, 5), noisy = withNoiseOfDepth (walls, 0.002);
+  const std::uint32_t k = GetParam () ? 16 : 32;
+  const Vectors moved = sum (noisy, smoothed (asPositions (noisy), k, wideningOptions (GetParam ())).displacements);
+  const auto meanOffset = [&] (const Vectors& points, float z) {
+    double sum = 0;
+    for (std::size_t i = 0; i < points.size (); ++i)
+      if (walls[i].z () == z)
+        sum += std::abs (points[i].z () - z);
+    return sum;
+  };
+  for (const float z : {1.0f, 5.0f})
+    EXPECT_LT (meanOffset (moved, z), 0.4 * meanOffset (noisy, z)) << z;
+}
+
 TEST_P (WideNoisePresets, ThinPlatesKeepTheirThickness)
 {
   for (const double noise : {0.3, 0.4, 0.5}) {

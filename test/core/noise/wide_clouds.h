@@ -52,6 +52,32 @@ leaves (std::uint64_t count)
   return points;
 }
 
+/** What a depth camera of 240 x 240 pixels sees of a wall at a distance of \a near, and in a quarter of them of one at \a far. */
+inline Vectors
+twoWalls (double near, double far)
+{
+  constexpr int size = 240;
+  Vectors points;
+  for (int row = 0; row < size; ++row)
+    for (int column = 0; column < size; ++column) {
+      const double z = column < 3 * size / 4 ? near : far, pixel = 1.1 / size;
+      points.push_back (
+          Eigen::Vector3d (z * pixel * (column - size / 2), z * pixel * (row - size / 2), z).cast<float> ());
+    }
+  return points;
+}
+
+/** Its noise grows as the square of the distance, along the rays; \a sigma at a distance of 1. */
+inline Vectors
+withNoiseOfDepth (Vectors points, double sigma)
+{
+  for (std::size_t i = 0; i < points.size (); ++i) {
+    const double z = points[i].z ();
+    points[i] *= static_cast<float> (1 + sigma * z * gaussianNoise (8, i));
+  }
+  return points;
+}
+
 /** From the plane z = 0. */
 inline double
 meanDistance (const Vectors& points)

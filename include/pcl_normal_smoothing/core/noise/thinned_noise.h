@@ -4,29 +4,31 @@
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The noise of a cloud as neighbourhoods in thinner clouds show it: in all of it, in half of it, a quarter ... What was asked for is
-  * kept. */
+/** The noise as neighbourhoods in thinner clouds show it: in all of a cloud, in half of it, a quarter ... What was asked for is kept. */
 class ThinnedNoise
 {
 public:
-  /** \param[in] graph of all nodes, its rows have at least 16 points; all kept while this is used */
-  ThinnedNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
+  virtual ~ThinnedNoise () = default;
 
   /** How often the cloud can be halved. */
-  int
-  mostHalvings () const;
+  virtual int
+  mostHalvings () const = 0;
 
-  /** Where so many halvings thin the cloud; 0: as it is. */
-  NoiseSample
-  sample (int halvings) const;
+  /** Where so many halvings thin the cloud, up to mostHalvings; 0: as it is. */
+  const NoiseSample&
+  sample (int halvings)
+  {
+    return shown (halvings).sample;
+  }
 
-  NoiseEstimate
+  const NoiseEstimate&
   noise (int halvings)
   {
     return shown (halvings).noise;
@@ -42,6 +44,35 @@ public:
   {
     return shown (halvings).residual;
   }
+
+protected:
+  /** The sample where so many halvings thin the cloud, not kept. */
+  virtual NoiseSample
+  thinnedSample (int halvings) = 0;
+
+private:
+  struct Shown
+  {
+    NoiseSample sample;
+    NoiseEstimate noise;
+    double residual;
+  };
+
+  const Shown&
+  shown (int halvings);
+
+  std::deque<Shown> shown_; // by the number of halvings; what was given out stays where it is
+};
+
+/** That of a whole cloud. */
+class ThinnedNoiseOfCloud : public ThinnedNoise
+{
+public:
+  /** \param[in] graph of all nodes, its rows have at least 16 points; all kept while this is used */
+  ThinnedNoiseOfCloud (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
+
+  int
+  mostHalvings () const override;
 
   /** Whether planes through the nearest half of a neighbourhood often are others than those through all of it: where it is a ball
     * or a ribbon inside the noise. */
@@ -65,21 +96,47 @@ public:
     return static_cast<std::uint32_t> (graph_.minRowLength ());
   }
 
+protected:
+  NoiseSample
+  thinnedSample (int halvings) override;
+
 private:
-  struct Shown
-  {
-    NoiseEstimate noise;
-    double residual;
-  };
-
-  const Shown&
-  shown (int halvings);
-
   const NeighborGraph& graph_;
   const Positions& nodes_;
   const Execution& execution_;
   std::vector<std::uint32_t> sample_;
-  std::vector<Shown> shown_; // by the number of halvings
+};
+
+/** That of those points of the sample where a number is above \a low, and at most \a high. */
+class ThinnedNoiseOfPart : public ThinnedNoise
+{
+public:
+  /** \param[in] cloud, number kept while this is used */
+  ThinnedNoiseOfPart (ThinnedNoise& cloud, const RegionalField& number, float low, float high)
+  : cloud_ (cloud), number_ (number), low_ (low), high_ (high)
+  {}
+
+  int
+  mostHalvings () const override
+  {
+    return cloud_.mostHalvings ();
+  }
+
+  bool
+  isIn (const Eigen::Vector3f& place) const
+  {
+    const float value = number_.valueAt (place, 0);
+    return value > low_ && value <= high_;
+  }
+
+protected:
+  NoiseSample
+  thinnedSample (int halvings) override;
+
+private:
+  ThinnedNoise& cloud_;
+  const RegionalField& number_;
+  float low_, high_;
 };
 } // namespace core
 } // namespace pcl_normal_smoothing
