@@ -45,9 +45,17 @@ lookForSheets (const NeighborGraph& graph,
                const SheetLooks& looks,
                const Execution& execution)
 {
+  std::size_t longest = 0;
+  for (const std::uint32_t node : sample)
+    longest = std::max (longest, graph.row (node).size ());
+  const auto show_the_same = [longest] (const SheetLook& a, const SheetLook& b) {
+    return a.distance == b.distance && std::min (a.row_length, longest) == std::min (b.row_length, longest);
+  };
   SheetSamples samples;
   for (std::size_t i = 0; i < looks.size (); ++i)
-    samples[i] = sampleSheets (graph, positions, sample, looks[i], execution);
+    samples[i] = i > 0 && show_the_same (looks[i], looks[i - 1])
+                     ? samples[i - 1]
+                     : sampleSheets (graph, positions, sample, looks[i], execution);
   return seenSheets (samples, looks);
 }
 } // namespace core
