@@ -55,7 +55,7 @@ if [ $small -eq 1 ]; then
   arguments+=(-small 1 -models double_torus)
   out=${out:-$root/study_output_small}
 else
-  arguments+=(-models "double_torus,double_torus_thick,csg_part,organic,plate,two_sheets,two_sheets_apart")
+  arguments+=(-models "double_torus,double_torus_round,csg_part,organic,plate,two_sheets,two_sheets_apart")
   out=${out:-$root/study_output}
 fi
 

@@ -13,7 +13,9 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pcl_normal_smoothing
 {
@@ -21,7 +23,8 @@ namespace tools
 {
 namespace
 {
-constexpr double flatness = 0.8;
+constexpr double flatness = 0.8, thickness = 0.12;
+constexpr double major_radius = 0.55, minor_radius = 0.25, centre_x = 0.62, width_of_joint = 0.15;
 
 /** 0 along a figure of eight. */
 double
@@ -29,21 +32,59 @@ eightAt (const Eigen::Vector3d& p)
 {
   return p.x () * p.x () * (1 - p.x () * p.x ()) - p.y () * p.y ();
 }
-} // namespace
 
+/** The torus on one side; its distance. \param[out] gradient */
 double
-DoubleTorus::valueAt (const Eigen::Vector3d& point) const
+torusAt (Eigen::Vector3d p, double side, Eigen::Vector3d& gradient)
 {
-  const double eight = eightAt (point);
-  return eight * eight + flatness * flatness * point.z () * point.z () - thickness * thickness;
+  p.x () -= side * centre_x;
+  const double flat = std::max (p.head<2> ().norm (), 1e-12), out = flat - major_radius;
+  const double to_circle = std::max (std::hypot (out, p.z ()), 1e-12);
+  gradient = Eigen::Vector3d (out * p.x () / flat, out * p.y () / flat, p.z ()) / to_circle;
+  return to_circle - minor_radius;
 }
 
-Eigen::Vector3d
-DoubleTorus::gradientAt (const Eigen::Vector3d& point) const
+/** The smooth minimum of the distances to both tori, with a continuous curvature. */
+double
+joinedAt (const Eigen::Vector3d& p, Eigen::Vector3d& gradient)
 {
-  const double eight = eightAt (point);
-  return {2 * eight * (2 * point.x () - 4 * point.x () * point.x () * point.x ()), -4 * eight * point.y (),
-          2 * flatness * flatness * point.z ()};
+  Eigen::Vector3d of_left, of_right;
+  const double left = torusAt (p, -1, of_left), right = torusAt (p, 1, of_right);
+  const double share = std::max (width_of_joint - std::abs (left - right), 0.0) / width_of_joint;
+  const double of_farther = share * share / 2;
+  gradient = left < right ? (1 - of_farther) * of_left + of_farther * of_right
+                          : (1 - of_farther) * of_right + of_farther * of_left;
+  return std::min (left, right) - share * share * share * width_of_joint / 6;
+}
+} // namespace
+
+DoubleTorus
+figureOfEight ()
+{
+  const auto value = [] (const Eigen::Vector3d& p) {
+    return std::pow (eightAt (p), 2) + std::pow (flatness * p.z (), 2) - thickness * thickness;
+  };
+  const auto gradient = [] (const Eigen::Vector3d& p) {
+    const double eight = eightAt (p);
+    return Eigen::Vector3d (2 * eight * (2 * p.x () - 4 * p.x () * p.x () * p.x ()), -4 * eight * p.y (),
+                            2 * flatness * flatness * p.z ());
+  };
+  return {value, gradient, {1.2, 0.7, 0.25}};
+}
+
+DoubleTorus
+joinedTori ()
+{
+  const auto value = [] (const Eigen::Vector3d& p) {
+    Eigen::Vector3d gradient;
+    return joinedAt (p, gradient);
+  };
+  const auto gradient = [] (const Eigen::Vector3d& p) {
+    Eigen::Vector3d of_joined;
+    joinedAt (p, of_joined);
+    return of_joined;
+  };
+  return {value, gradient, {1.5, 0.9, 0.3}};
 }
 
 namespace
@@ -53,8 +94,8 @@ Eigen::Vector3d
 projected (const DoubleTorus& torus, Eigen::Vector3d p)
 {
   for (int step = 0; step < 10; ++step) {
-    const Eigen::Vector3d gradient = torus.gradientAt (p);
-    p -= torus.valueAt (p) / std::max (gradient.squaredNorm (), 1e-12) * gradient;
+    const Eigen::Vector3d gradient = torus.gradient (p);
+    p -= torus.value (p) / std::max (gradient.squaredNorm (), 1e-12) * gradient;
   }
   return p;
 }
@@ -63,17 +104,16 @@ projected (const DoubleTorus& torus, Eigen::Vector3d p)
 Mesh
 sampled (const DoubleTorus& torus, double spacing)
 {
-  const Eigen::Vector3d box (1.2, 0.7, 1.65 * torus.thickness / flatness); // half the sides of one around it
   vtkNew<vtkImageData> grid;
   std::array<int, 3> size;
   for (std::size_t d = 0; d < 3; ++d)
-    size[d] = static_cast<int> (2 * box[static_cast<int> (d)] / spacing) + 2;
+    size[d] = static_cast<int> (2 * torus.box[static_cast<int> (d)] / spacing) + 2;
   grid->SetDimensions (size.data ());
   grid->SetSpacing (spacing, spacing, spacing);
-  grid->SetOrigin (Eigen::Vector3d (-box).data ());
+  grid->SetOrigin (Eigen::Vector3d (-torus.box).data ());
   grid->AllocateScalars (VTK_DOUBLE, 1);
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints (); ++i)
-    grid->GetPointData ()->GetScalars ()->SetTuple1 (i, torus.valueAt (Eigen::Vector3d (grid->GetPoint (i))));
+    grid->GetPointData ()->GetScalars ()->SetTuple1 (i, torus.value (Eigen::Vector3d (grid->GetPoint (i))));
   vtkNew<vtkFlyingEdges3D> surface;
   surface->SetInputData (grid);
   surface->SetValue (0, 0.0);

@@ -176,17 +176,19 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
   options.add ("-point_spacing", "D", "distance between neighbouring points, in the cloud's unit, for rounds",
                "estimated from the cloud", numberOption (0, limit, [&] (double d) { settings.setPointSpacing (d); }));
   const OptionReader length = numberOption (0, limit, [&] (double d) { settings.setSheetDistance (d); });
-  options.add ("-sheet_distance", "D|inf",
-               "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds; "
-               "inf: all lie on one",
-               "where close sheets are seen 0.36 of their gap, at most min (4 S, 1.2 spacings), S = noise_sigma; where "
-               "layers of a depth camera are: inf; else max (4 S, min (4 largest S, 1.2 spacings)), fast: inf",
-               [&, length] (const std::string& text) {
-                 if (text == no_length)
-                   settings.setSheetDistance (std::numeric_limits<double>::infinity ());
-                 else
-                   length (text);
-               });
+  options.add (
+      "-sheet_distance", "D|inf",
+      "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds; "
+      "inf: all lie on one",
+      "where close sheets are seen 0.36 of their gap, at most min (4 S, 1.2 spacings), S = noise_sigma; where "
+      "layers of a depth camera are: inf; else max (4 S, min (4 largest S, 1.2 spacings)), but inf where 4 largest S "
+      "are more than 3 times that, and for fast",
+      [&, length] (const std::string& text) {
+        if (text == no_length)
+          settings.setSheetDistance (std::numeric_limits<double>::infinity ());
+        else
+          length (text);
+      });
 }
 
 void

@@ -20,9 +20,10 @@ class MakeDoubleTorusTool : public tools::Tool
     options.add ("-vertices", "N", "number of vertices", std::to_string (vertices_),
                  tools::integerOption (1000, 100000,
                                        [this] (auto number) { vertices_ = static_cast<std::size_t> (number); }));
-    options.add ("-thickness", "T",
-                 "of its tube: the surface is (x^2 (1 - x^2) - y^2)^2 + (0.8 z)^2 = T^2; 0.05 to 0.2", "0.12",
-                 tools::numberOption (0.05, 0.2, [this] (double number) { torus_.thickness = number; }));
+    options.add ("-shape", "eight|tori", "a figure of eight with a thin, flat tube, or two round tori that are joined",
+                 "eight", tools::choiceOption<bool> ({{"eight", false}, {"tori", true}}, [this] (bool round) {
+                   is_round_ = round;
+                 }));
   }
 
   void
@@ -31,13 +32,14 @@ class MakeDoubleTorusTool : public tools::Tool
     if (tools::extensionOf (options.file (0)) != ".ply")
       throw tools::UsageError (options.file (0) + ": the mesh is written as PLY: end the name in .ply");
     tools::checkWritable (options.file (0));
-    const tools::Mesh mesh = tools::makeDoubleTorus (torus_, vertices_);
+    const tools::Mesh mesh =
+        tools::makeDoubleTorus (is_round_ ? tools::joinedTori () : tools::figureOfEight (), vertices_);
     tools::saveMesh (mesh, options.file (0));
     std::printf ("%s: %zu vertices, %zu triangles\n", options.file (0).c_str (), mesh.vertices.size (),
                  mesh.triangles.size ());
   }
 
-  tools::DoubleTorus torus_;
+  bool is_round_ = false;
   std::size_t vertices_ = 4350; // as many as the paper's has
 };
 } // namespace

@@ -35,12 +35,10 @@ rectangle (double width, double depth)
 }
 
 Model
-doubleTorus (const std::string& name, const std::string& tube, double thickness)
+doubleTorus (const std::string& name, const std::string& tube, const tools::DoubleTorus& torus)
 {
-  const tools::DoubleTorus torus {thickness};
   return {name, "made in code: a smooth surface of genus 2, its tube " + tube, tools::makeDoubleTorus (torus, 4350),
-          numericDistance ({[torus] (const Eigen::Vector3d& p) { return torus.valueAt (p); },
-                            [torus] (const Eigen::Vector3d& p) { return torus.gradientAt (p); }})};
+          numericDistance ({torus.value, torus.gradient})};
 }
 
 Model
@@ -83,8 +81,10 @@ const std::vector<std::pair<std::string, Maker>>&
 makers ()
 {
   static const std::vector<std::pair<std::string, Maker>> all {
-      {"double_torus", [] { return doubleTorus ("double_torus", "two to five spacings thick", 0.12); }},
-      {"double_torus_thick", [] { return doubleTorus ("double_torus_thick", "a half thicker", 0.18); }},
+      {"double_torus",
+       [] { return doubleTorus ("double_torus", "two to five spacings thick", tools::figureOfEight ()); }},
+      {"double_torus_round",
+       [] { return doubleTorus ("double_torus_round", "ten spacings thick", tools::joinedTori ()); }},
       {"csg_part", csgPart},
       {"plate",
        [] {

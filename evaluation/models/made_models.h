@@ -8,7 +8,7 @@ namespace pcl_normal_smoothing::evaluation
 
 /** Names of the shapes that are made in code:
   * double_torus  smooth, genus 2, evenly sampled; 4,350 points as the paper's. Exact distance: numeric
-  * double_torus_thick   the same with a tube that is a half thicker
+  * double_torus_round   two round tori, joined, as many points. Exact distance: numeric
   * csg_part      an extruded L with a fillet, a rounded corner and a bore; sharp edges. Exact distance: closed form
   * plate         about two spacings thick, sharp edges. Exact distance: closed form
   * organic       smooth bumps on a ball, the spacing varying by a factor of 4. Exact distance: numeric

@@ -162,7 +162,8 @@ public:
   /** A neighbour that is farther than this from the mean of both points' tangent planes may lie on another sheet and is not
     * counted, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one. Default: where the cloud shows close
     * sheets, .36 of the gap between them, at most the smaller of 4 sigma and 1.2 spacings; where it shows the layers of a depth
-    * camera, infinity; else max (4 sigma, min (4 of the largest sigma, 1.2 spacings)), for FAST infinity. */
+    * camera, infinity; else max (4 sigma, min (4 of the largest sigma, 1.2 spacings)), but infinity where four of
+    * the largest sigma are more than three times that, and for FAST. */
   void
   setSheetDistance (double distance)
   {

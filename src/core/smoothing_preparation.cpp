@@ -113,9 +113,8 @@ takenSigma (const NoiseEstimate& read)
 NoiseField
 largerWhereWide (NoiseField field, const RegionalField& halvings)
 {
-  constexpr float least_halvings = .5f; // from there on they grow
   for (RegionalField::Region& region : field.factors.regions)
-    if (halvings.valueAt (region.centre, 0) >= least_halvings)
+    if (halvings.valueAt (region.centre, 0) >= .5f) // from there on they grow
       region.value *= wide_noise_factor;
   return field;
 }

@@ -171,7 +171,7 @@ TEST (ImplicitSurfaces, DistanceToASphereAndATorus)
 
 TEST (ImplicitSurfaces, PointsLiftedAlongTheNormal)
 {
-  for (const char* name : {"double_torus", "double_torus_thick", "organic"}) {
+  for (const char* name : {"double_torus", "double_torus_round", "organic"}) {
     const Model& model = madeModel (name);
     const auto normals = tools::vertexNormals (model.mesh);
     const double edge = tools::meanEdgeLength (model.mesh);

@@ -55,7 +55,7 @@ protected:
     for (const core::NoiseSample::Residuals& residuals : sample.of_nodes)
       places.push_back (residuals.place.cast<double> ());
     may_need_widening_ = core::coordinateStep (places) > share_of_spacing * noise.spacing ||
-                         noise.sigma > ratio_of_wide_noise * noise.spacing ||
+                         noise.sigma * noise.field.largestFactor () > ratio_of_wide_noise * noise.spacing ||
                          static_cast<double> (sample.dropPlanes ()) > share_of_planes * all;
     return noise;
   }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace pcl_normal_smoothing
 {
@@ -28,10 +29,13 @@ nearestWays (const Positions& nodes, std::uint32_t node, const std::vector<std::
   ways.reserve (sample.size ());
   for (const std::uint32_t other : sample)
     ways.push_back (nodes.difference (node, other).cast<double> ());
-  std::partial_sort (ways.begin (), ways.begin () + static_cast<std::ptrdiff_t> (count), ways.end (),
-                     [] (const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-                       return a.squaredNorm () < b.squaredNorm ();
-                     });
+  const auto is_nearer = [] (const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const double a_length = a.squaredNorm (), b_length = b.squaredNorm ();
+    return std::tie (a_length, a.x (), a.y (), a.z ()) < std::tie (b_length, b.x (), b.y (), b.z ());
+  };
+  std::partial_sort (ways.begin (), ways.begin () + static_cast<std::ptrdiff_t> (count), ways.end (), is_nearer);
+  ways.resize (count);
+  ways.shrink_to_fit ();
   return ways;
 }
 

@@ -14,7 +14,7 @@ namespace core
 namespace
 {
 constexpr std::size_t min_regions = 4;
-// No region counts for less or more: nothing divides by zero.
+// No region is read as less or more: nothing divides by zero.
 constexpr float max_factor = 32;
 
 /** How far regions are apart by chance, as the ratio of the 9th decile to the 1st, and by detail that looks like noise. */

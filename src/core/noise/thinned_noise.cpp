@@ -106,6 +106,7 @@ NoiseSample
 ThinnedNoiseOfPart::thinnedSample (int halvings)
 {
   NoiseSample part = cloud_.sample (halvings);
+  part.short_rows = 0; // of the cloud
   const auto is_out = [this] (const NoiseSample::Residuals& residuals) { return !isIn (residuals.place); };
   part.of_nodes.erase (std::remove_if (part.of_nodes.begin (), part.of_nodes.end (), is_out), part.of_nodes.end ());
   return part;

@@ -104,7 +104,7 @@ sampleSheets (const NeighborGraph& graph,
 }
 
 SheetEstimate
-estimateSheets (SheetSample sample, float distance)
+estimateSheets (const SheetSample& sample, float distance)
 {
   if (sample.nodes == 0)
     return {};

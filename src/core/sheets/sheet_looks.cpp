@@ -46,8 +46,8 @@ lookForSheets (const NeighborGraph& graph,
                const Execution& execution)
 {
   std::size_t longest = 0;
-  for (const std::uint32_t node : sample)
-    longest = std::max (longest, graph.row (node).size ());
+  for (std::size_t block = 0; block < graph.blockCount (); ++block)
+    longest = std::max (longest, graph.blockLength (block));
   const auto show_the_same = [longest] (const SheetLook& a, const SheetLook& b) {
     return a.distance == b.distance && std::min (a.row_length, longest) == std::min (b.row_length, longest);
   };

@@ -91,16 +91,34 @@ TEST (WideNoiseTest, OfAPartOfTheCloud)
   EXPECT_LT (wide.sigma * wide.field.factorAt (near), 0.3 * 0.002 * 25);
 }
 
+TEST (WideNoiseTest, OfAPartBesideWhatIsClean)
+{
+  const Vectors walls = twoWalls (1, 5);
+  Vectors points = withNoiseOfDepth (walls, 0.002);
+  for (std::size_t i = 0; i < points.size (); ++i)
+    if (walls[i].z () == 1)
+      points[i] = walls[i];
+  const WideNoise wide =
+      wideNoiseOf (points); // most of the cloud has none: its usual noise is 0, and nothing has to be seen
+  EXPECT_TRUE (wide.sigma > 0 || wide.halvings.regions.empty ());
+  for (const RegionalField::Region& region : wide.field.factors.regions)
+    EXPECT_TRUE (std::isfinite (region.value));
+}
+
 TEST (WideNoiseTest, ThreadsAndOrderDoNotMatter)
 {
-  const Vectors points = square (1);
-  Vectors shuffled;
-  for (const std::uint32_t i : permutation (points.size (), 4))
-    shuffled.push_back (points[i]);
-  const std::vector<float> expected = halvingsOf (points, 1).values ();
-  EXPECT_FALSE (expected.empty ());
-  EXPECT_EQ (halvingsOf (points, 2).values (), expected);
-  EXPECT_EQ (halvingsOf (shuffled).values (), expected);
+  for (const Vectors& points : {square (1), withNoiseOfDepth (twoWalls (1, 5), 0.002)}) {
+    Vectors shuffled;
+    for (const std::uint32_t i : permutation (points.size (), 4))
+      shuffled.push_back (points[i]);
+    const WideNoise expected = wideNoiseOf (points, 1);
+    EXPECT_FALSE (expected.halvings.regions.empty ());
+    for (const WideNoise& other : {wideNoiseOf (points, 2), wideNoiseOf (shuffled, 2)}) {
+      EXPECT_EQ (other.halvings.values (), expected.halvings.values ());
+      EXPECT_EQ (other.field.factors.values (), expected.field.factors.values ());
+      EXPECT_EQ (other.sigma, expected.sigma);
+    }
+  }
 }
 
 TEST (WideNoiseTest, AllOfTheNoiseIsRead)

@@ -60,6 +60,24 @@ TEST (SheetLooksTest, SheetsMayBeLostInTheNoise)
   EXPECT_TRUE (seen.may_be);
 }
 
+TEST (SheetLooksTest, LooksAtTheSameAreOne)
+{
+  // Rows within a radius differ in length: those of the sample are shorter than others.
+  const Searched cloud (parallelSheets (40, spacing, 1.2f * spacing).points, {32, 2.2f * spacing});
+  const Execution execution (2);
+  const std::vector<std::uint32_t> sample = sampleNodes (cloud.nodes, sheet_sample_size, execution);
+  for (const float sigma : {.1f * spacing, .2f * spacing}) {
+    const SheetLooks looks = sheetLooks (sigma, spacing);
+    SheetSamples samples;
+    for (std::size_t i = 0; i < looks.size (); ++i)
+      samples[i] = sampleSheets (*cloud.graph, cloud.nodes, sample, looks[i], execution);
+    const SheetEstimate expected = seenSheets (samples, looks).sheets;
+    const SheetEstimate actual = lookForSheets (*cloud.graph, cloud.nodes, sample, looks, execution).sheets;
+    EXPECT_EQ (actual.gap, expected.gap);
+    EXPECT_EQ (actual.sigma, expected.sigma);
+  }
+}
+
 TEST (SheetLooksTest, NothingGivesNothing)
 {
   EXPECT_EQ (seenSheets ({}, sheetLooks (1, 1)).sheets.gap, 0);

@@ -59,7 +59,7 @@ estimateNoiseField (const std::vector<LocalValue>& variances,
                     double ratio,
                     double certainty_of_detail = 0);
 
-/** The field of a noise that is as much larger in a region as its value is larger than \a usual. */
+/** The field of a noise that is as much larger in a region as its value is larger than \a usual, which is > 0. */
 NoiseField
 relativeField (RegionalField values, float usual);
 

@@ -122,6 +122,11 @@ public:
     return cloud_.mostHalvings ();
   }
 
+protected:
+  NoiseSample
+  thinnedSample (int halvings) override;
+
+private:
   bool
   isIn (const Eigen::Vector3f& place) const
   {
@@ -129,11 +134,6 @@ public:
     return value > low_ && value <= high_;
   }
 
-protected:
-  NoiseSample
-  thinnedSample (int halvings) override;
-
-private:
   ThinnedNoise& cloud_;
   const RegionalField& number_;
   float low_, high_;

@@ -11,7 +11,7 @@ namespace core
 /** sigma over the spacing: where it is smaller, a quadric through 32 points follows as much of the surface as of the noise. */
 constexpr float least_ratio_to_project = .75f;
 
-/** Noise so much wider than the spacing, everywhere or where points lie in clumps, that small neighbourhoods are balls inside it, which
+/** Noise so much wider than the spacing, everywhere, where points lie in clumps or in a part of the cloud, that small neighbourhoods are balls inside it, which
   * show neither the surface nor how far the noise goes. */
 struct WideNoise
 {

@@ -61,6 +61,6 @@ constexpr int sheet_sample_depth = 2;
   * cameras give them: where one ends the next begins, and lies beside it, not above.
   * \param[in] distance of the sample */
 SheetEstimate
-estimateSheets (SheetSample sample, float distance);
+estimateSheets (const SheetSample& sample, float distance);
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -19,7 +19,7 @@ SheetLooks
 sheetLooks (float sigma, float spacing);
 
 /** What the sample of a cloud tells, by each of the looks. */
-using SheetSamples = std::array<SheetSample, 3>;
+using SheetSamples = std::array<SheetSample, std::tuple_size<SheetLooks>::value>;
 
 /** What is seen of sheets. */
 struct SheetSight

@@ -22,8 +22,8 @@ struct SheetSeparationOptions
 int
 separationDepth (const SheetSeparationOptions& options);
 
-/** Neighbourhoods that keep to one sheet. A node three of whose neighbours lie on another sheet takes in their place the
-  * nearest points of its own among the neighbours of its neighbours. Normals are those of the eight nearest, each node then
+/** Neighbourhoods that keep to one sheet. A node three of whose neighbours lie on another sheet, or one in a row of at most 16 points, takes in their place the
+  * nearest points of its own among the neighbours of its neighbours; heights count from where most of these lie. Normals are those of the eight nearest, each node then
   * taking the one of its neighbourhood that most of the points fit: where two sheets are as close as the points, many a
   * plane fitted to the nearest of both is wrong, but hardly all. Of every row the first 32 points count.
   * \return \a graph itself where nothing changes; else one whose changed rows hold at most 32 points */

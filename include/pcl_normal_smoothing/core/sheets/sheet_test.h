@@ -20,7 +20,8 @@ constexpr int min_other_neighbors = 3;
 /** Rows of so few neighbours hold but one or two of another sheet, though these spoil them. */
 constexpr std::size_t short_row_length = 16;
 
-/** \return how many neighbours on another sheet change a row */
+/** \param[in] row_length the node counted
+  * \return how many neighbours on another sheet change a row */
 constexpr int
 othersToChange (std::size_t row_length)
 {

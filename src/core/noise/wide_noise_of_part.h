@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_normal_smoothing/core/noise/thinned_noise.h>
+#include <pcl_normal_smoothing/core/noise/wide_noise.h>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** Where the noise is wide in a part of the cloud only: that of depth cameras grows as the square of the distance, the spacing as
+  * the distance. \return sigma 0 where it is so nowhere */
+WideNoise
+wideNoiseOfPart (ThinnedNoiseOfCloud& cloud);
+} // namespace core
+} // namespace pcl_normal_smoothing
