@@ -70,11 +70,15 @@ TEST_F (Tiles, LayersAreNotBridgedAndThatIsSaid)
 TEST_F (Tiles, CloseSheetsAreSeparatedAlike)
 {
   saveCloud (closeSheets (), "cloud.pcd");
-  for (const char* options : {"", "-k 20 -save_normals 1", "-sheet_distance 0.04"})
+  for (const char* options :
+       {"", "-k 20 -save_normals 1", "-sheet_distance 0.04", "-preset fast", "-preset fast -k 24 -max_radius 0.25"})
     expectSame ("cloud.pcd", "-max_points 300", options);
-  succeed ("pcl_normal_smoothing cloud.pcd separated.pcd");
-  succeed ("pcl_normal_smoothing cloud.pcd mixed.pcd -sheet_distance inf");
-  EXPECT_NE (contentOf (path ("separated.pcd")), contentOf (path ("mixed.pcd"))) << "the test is of no use";
+  for (const std::string preset : {" -preset default", " -preset fast"}) {
+    succeed ("pcl_normal_smoothing cloud.pcd separated.pcd" + preset);
+    succeed ("pcl_normal_smoothing cloud.pcd mixed.pcd -sheet_distance inf" + preset);
+    EXPECT_NE (contentOf (path ("separated.pcd")), contentOf (path ("mixed.pcd")))
+        << "the test is of no use:" << preset;
+  }
 }
 
 TEST_F (Tiles, CopiesInPartAndRowsOfFewPoints)
