@@ -23,8 +23,7 @@ SheetLooks
 sheetLooks (float sigma, float spacing)
 {
   const float of_noise = sigmas_of_sheet * sigma;
-  const float usual = std::min (of_noise, usual_spacings * spacing),
-              closer = std::min (of_noise, closer_spacings * spacing);
+  const float usual = std::min (of_noise, usual_spacings * spacing), closer = closer_spacings * spacing;
   return {{{usual, sheet_row_length}, {usual, short_row_length}, {closer, short_row_length}}};
 }
 
