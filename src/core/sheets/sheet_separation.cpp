@@ -158,7 +158,7 @@ private:
         }
       sheet = weights > 0 ? sum / weights : sheet;
     }
-    return sheet;
+    return std::abs (sheet) < distance_ ? sheet : 0; // farther than noise puts a point: along the rim of a plate
   }
 
   /** exp (-x^2 / 2), or as good a bell, of the same bits everywhere. */
