@@ -151,6 +151,20 @@ TEST (WideNoiseTest, SmoothingTakesItToBeLargerThanItIsRead)
   EXPECT_NEAR (takenOverRead (square (1)), 1.5, 0.01);
 }
 
+TEST (WideNoiseTest, OfAPartItIsSoThereAlone)
+{
+  Searched cloud (withNoiseOfDepth (twoWalls (1, 5), 0.002));
+  NeighborGraph::ConstPtr graph = cloud.graph;
+  SmoothingOptions options = wideningOptions (false);
+  prepareSmoothing ({}, Execution (2), graph, options, cloud.nodes);
+  const NoiseEstimate read = estimateNoise (*cloud.graph, cloud.nodes, Execution (2)), &taken = options.rounds.noise;
+  const auto takenOverReadAt = [&] (const Eigen::Vector3f& place) {
+    return taken.sigma * taken.field.factorAt (place) / (read.sigma * read.field.factorAt (place));
+  };
+  EXPECT_NEAR (takenOverReadAt ({2, 0, 5}), 1.5, 0.1);
+  EXPECT_LT (takenOverReadAt ({-.25f, 0, 1}), 1.35f) << "regions count for each other, but little";
+}
+
 TEST (WideNoiseTest, SoItDoesOfEvenPointsWhereItIsReadInPart)
 {
   const auto noisySphere = [] (double noise) { // along the normals

@@ -150,9 +150,11 @@ TEST (RobustSmoothingOfSheetsTest, ASecondSheetCostsFastLittle)
 
 TEST (RobustSmoothingOfSheetsTest, SheetsAsCloseAsTheirPointsAreNotMerged)
 {
-  for (const bool fast : {false, true})
-    for (const float gap : {1.0f, 1.2f})
-      EXPECT_LT (costOfASecondSheet (gap, fast, false), 2.5) << gap << " spacings apart, fast " << fast;
+  // A tenth above what holds; rows that count from the point cost as much more.
+  EXPECT_LT (costOfASecondSheet (1, false, false), 2.15);
+  EXPECT_LT (costOfASecondSheet (1.2f, false, false), 1.15);
+  EXPECT_LT (costOfASecondSheet (1, true, false), 1.95);
+  EXPECT_LT (costOfASecondSheet (1.2f, true, false), 1.35);
 }
 
 TEST (RobustSmoothingOfSheetsTest, WithOrientedNormalsItCostsNothing)
