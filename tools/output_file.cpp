@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_file.h"
 
+#include "signal_pause.h"
 #include "tool_error.h"
 
 #include <fcntl.h>
@@ -45,26 +46,6 @@ removeOwnTemporary () noexcept
     unlink (temporary_path);
   has_temporary = 0;
 }
-
-/** Holds signals back, so that a temporary file and the note of its name come and go together. */
-class SignalPause
-{
-public:
-  SignalPause ()
-  {
-    sigset_t all;
-    sigfillset (&all);
-    pthread_sigmask (SIG_SETMASK, &all, &before_);
-  }
-
-  ~SignalPause ()
-  {
-    pthread_sigmask (SIG_SETMASK, &before_, nullptr);
-  }
-
-private:
-  sigset_t before_;
-};
 
 /** The file that a path stands for, also where the last link points to nothing yet. */
 fs::path

@@ -2,6 +2,7 @@
 #include "tool.h"
 
 #include "output_file.h"
+#include "signal_pause.h"
 #include "tool_error.h"
 
 #include <pcl/console/print.h>
@@ -35,6 +36,7 @@ std::string tool_name;
 extern "C" void
 endInterrupted (int signal)
 {
+  SignalPause::endAll ();
   removeTemporaryFile ();
   _exit (128 + signal);
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles_fixture.h"
 
-#include <chrono>
-#include <csignal>
-#include <cstdlib>
 #include <filesystem>
-#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -64,15 +60,6 @@ protected:
                                     "; exec " TOOLS_FOLDER "/pcl_normal_smoothing_tiles " + command},
                                folder_),
                     folder_);
-  }
-
-  std::set<std::string>
-  filesIn (const std::string& folder) const
-  {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator (path (folder)))
-      names.insert (entry.path ().filename ().string ());
-    return names;
   }
 };
 } // namespace
@@ -263,28 +250,4 @@ TEST_F (TilesTrouble, ManyRunsOfOneTileAtOnce)
                (std::set<std::string> {"cells.bin", "plan.json", "tile_000000.points", "tile_000000.result"}));
     expectMerged ();
   }
-}
-
-TEST_F (TilesTrouble, Interruption)
-{
-  saveCloud (wavyCloud (200000), "large.pcd");
-  for (const int signal : {SIGINT, SIGTERM, SIGKILL})
-    for (int delay = 20; delay < 400; delay += 60) {
-      const int process = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_tiles", "plan", path ("large.d"),
-                                      path ("large.pcd"), "-max_points", "3000", "-threads", "1"},
-                                     folder_);
-      std::this_thread::sleep_for (std::chrono::milliseconds (delay));
-      kill (process, signal);
-      const Ending ending = waitFor (process, folder_);
-      EXPECT_EQ (ending.status, 128 + signal) << ending.err;
-      EXPECT_TRUE (signal == SIGKILL || files ().count ("large.d") == 0) << "signal " << signal << " after " << delay;
-      EXPECT_EQ (run ("pcl_normal_smoothing_tiles run large.d").status, 2) << "half a plan was taken for one";
-    }
-  plan ("-update paper -point_iterations 1000000 -max_points 2000");
-  const std::set<std::string> before = filesIn ("tiles.d");
-  const int process = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_tiles", "run", path ("tiles.d")}, folder_);
-  std::this_thread::sleep_for (std::chrono::milliseconds (500));
-  kill (process, SIGTERM);
-  EXPECT_EQ (waitFor (process, folder_).status, 143);
-  EXPECT_EQ (filesIn ("tiles.d"), before);
 }

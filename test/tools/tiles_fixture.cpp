@@ -54,6 +54,15 @@ Tiles::expectSame (const std::string& file,
   std::filesystem::remove_all (path ("tiles.d"));
 }
 
+std::set<std::string>
+Tiles::filesIn (const std::string& folder) const
+{
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator (path (folder)))
+    names.insert (entry.path ().filename ().string ());
+  return names;
+}
+
 Tiles::Cloud
 Tiles::wavyCloud (std::size_t points)
 {

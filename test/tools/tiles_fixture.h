@@ -26,6 +26,9 @@ protected:
               const std::string& extension = ".pcd",
               const std::string& format = "") const;
 
+  std::set<std::string>
+  filesIn (const std::string& folder) const;
+
   /** A noisy wave, in an order that does not follow space. */
   static Cloud
   wavyCloud (std::size_t points);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "spill_file.h"
 
+#include "signal_pause.h"
 #include "tool_error.h"
 
 #include <fcntl.h>
@@ -17,6 +18,7 @@ SpillFile::SpillFile (const std::string& folder, std::size_t heaps, std::size_t 
 : folder_ (folder), buffer_size_ (std::clamp<std::size_t> (memory / (heaps + 1), 1u << 12, 1u << 22)), heaps_ (heaps)
 {
   std::string name = folder + "/spill.XXXXXX";
+  const SignalPause pause;
   descriptor_ = mkostemp (name.data (), O_CLOEXEC);
   if (descriptor_ < 0)
     fail ("a temporary file cannot be made in it");

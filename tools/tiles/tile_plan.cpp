@@ -3,6 +3,7 @@
 
 #include "cloud_graph.h"
 #include "partition.h"
+#include "signal_pause.h"
 #include "sources.h"
 #include "spill_file.h"
 #include "tile_noise.h"
@@ -92,13 +93,20 @@ private:
   }
 
   void
-  clearFolder ()
+  makeFolder ()
   {
+    const SignalPause pause;
     std::error_code error;
     if (fs::create_directories (plan_.folder, error))
       removeOnInterruption (plan_.folder);
     if (error)
       throw FileError (plan_.folder, "cannot be made (" + error.message () + ")", "name another folder for the tiles");
+  }
+
+  void
+  clearFolder ()
+  {
+    makeFolder ();
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator (plan_.folder)) {
       if (!isOfPlan (entry.path ().filename ().string ()))
