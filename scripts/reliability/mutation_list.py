@@ -8,7 +8,12 @@ HEADERS = "include/pcl_normal_smoothing/"
 # name, file, what stands there, what is put in its place
 MUTATIONS = [
     ("clumps: no noise is looked for in them", CORE + "noise/wide_noise.cpp", "return ratio > read_in_clumps &&", "return false &&"),
-    ("wide noise: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "noise.sigma *= wide_noise_factor;", ";"),
+    ("clumps: detail is some", CORE + "noise/wide_noise.cpp", "noise.residual (1) < max_growth_in_clumps * noise.residual (0)", "true"),
+    ("wide noise: smoothing takes it to be as much larger however much is read", CORE + "noise/wide_noise.cpp",
+     "return halvings_without_loss > 0 ?", "return true ?"),
+    ("wide noise: smoothing takes it to be less larger where nothing is lost", CORE + "noise/wide_noise.cpp",
+     "return halvings_without_loss > 0 ?", "return false ?"),
+    ("wide noise: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "noise.sigma *= wide.excess;", ";"),
     ("noise read in part: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "hides_noise ? takenSigma (read)", "false ? takenSigma (read)"),
     ("search: what is left behind the last whole vector", KERNELS + "nearest.h", "if (first < candidates.count)", "if (false)"),
     ("search: keys behind the last pair have no rank", KERNELS + "nearest.h", "if (j < count)", "if (false)"),
@@ -137,7 +142,7 @@ MUTATIONS = [
     ("wide noise: wide parts of the cloud tell nothing", CORE + "noise/wide_noise.cpp", "noise.thickness () < max_thickness", "false"),
     ("wide noise: of a part it is not seen", CORE + "noise/wide_noise_of_part.cpp", "hidesNoiseInPart (core) ? halvingsToReadPart (core) : 0;", "0;"),
     ("wide noise: of a part it is that of all", CORE + "noise/noise_estimate.cpp", "!widening.wide_noise.is_everywhere)", "false)"),
-    ("wide noise: of a part it is not taken to be larger", CORE + "smoothing_preparation.cpp", "region.value *= wide_noise_factor;", ";"),
+    ("wide noise: of a part it is not taken to be larger", CORE + "smoothing_preparation.cpp", "region.value *= wide.excess;", ";"),
     ("wide noise: sheets are looked for by one distance, however it varies", CORE + "smoothing_preparation.cpp",
      "largest > most_over_sheets * distance ?", "false ?"),
     ("wide noise: detail does not matter", CORE + "noise/noise_reach.cpp", "max_growth * noise.residual", "100 * noise.residual"),

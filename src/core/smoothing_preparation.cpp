@@ -26,8 +26,6 @@ constexpr float most_over_sheets = 3;
 constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
 constexpr float sheet_noise_factor = 1.4f;
-// Where neighbourhoods grow with the noise, none of it should be taken for the surface's; what is smoothed a little more is smooth there.
-constexpr float wide_noise_factor = 1.5f;
 // As wide as the points are apart, noise is read as .7 to .9 of what it is, and no wider whatever it is: of the ratio to the spacing, from the
 // first on it may be that wide, from the second on it is taken to be. Where it is .7 it is read in full, but loses nothing by that.
 constexpr float perhaps_wide = .67f;
@@ -111,11 +109,11 @@ takenSigma (const NoiseEstimate& read)
 
 /** Takes the noise to be larger where neighbourhoods grow with it. */
 NoiseField
-largerWhereWide (NoiseField field, const RegionalField& halvings)
+largerWhereWide (NoiseField field, const WideNoise& wide)
 {
   for (RegionalField::Region& region : field.factors.regions)
-    if (halvings.valueAt (region.centre, 0) >= .5f) // from there on they grow
-      region.value *= wide_noise_factor;
+    if (wide.halvings.valueAt (region.centre, 0) >= .5f) // from there on they grow
+      region.value *= wide.excess;
   return field;
 }
 
@@ -210,9 +208,9 @@ private:
     NoiseEstimate noise = estimateNoise (sample, widening_);
     const WideNoise& wide = widening_.wide_noise;
     if (!wide.is_everywhere)
-      noise.field = largerWhereWide (noise.field, wide.halvings);
+      noise.field = largerWhereWide (noise.field, wide);
     else if (wide.sigma > 0 && !widening_.projects ())
-      noise.sigma *= wide_noise_factor;
+      noise.sigma *= wide.excess;
     return noise;
   }
 

@@ -6,6 +6,7 @@
 #include <pcl_normal_smoothing/core/sheets/sheet_looks.h>
 #include <pcl_normal_smoothing/core/sheets/sheet_test.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -31,7 +32,13 @@ constexpr double max_thickness = .45;
 // a quarter of the cloud has to be a whole sample.
 constexpr double read_in_clumps = .1;
 constexpr double max_fall_in_clumps = .92;
+// Half of the points of a volume lie 1.26 times as far apart, and what quadrics leave of it grows no more; of detail it grows faster.
+constexpr double max_growth_in_clumps = 1.4;
 constexpr std::size_t least_to_quarter = 4 * noise_sample_size;
+// Of sigma to the spacing: up to the first, where wider neighbourhoods lose detail, noise is read nearly as it is, and from the second on
+// as little of it as ever; then less is lost where more than that is taken for noise.
+constexpr double read_nearly = .45, read_in_part = .5;
+constexpr float least_excess = 1.2f;
 
 bool
 hidesNoise (ThinnedNoiseOfCloud& noise)
@@ -41,6 +48,7 @@ hidesNoise (ThinnedNoiseOfCloud& noise)
   if (ratio > read_surely)
     return ratio >= read_if_even || !fallsBelow (ratio < read_of_even ? max_first_fall : max_fall, 1);
   return ratio > read_in_clumps && noise.size () >= least_to_quarter && noise.hasTurningPlanes () &&
+         noise.residual (1) < max_growth_in_clumps * noise.residual (0) &&
          (!fallsBelow (max_fall_in_clumps, 1) || !fallsBelow (max_fall_of_two, 2));
 }
 
@@ -78,6 +86,15 @@ mayBeSheets (const Positions& cloud, const NoiseEstimate& noise, const Execution
       .may_be;
 }
 
+/** See WideNoise::excess. */
+float
+excessOf (int halvings_without_loss, double ratio)
+{
+  const float hidden = static_cast<float> (std::clamp ((ratio - read_nearly) / (read_in_part - read_nearly), 0.0, 1.0));
+  return halvings_without_loss > 0 ? WideNoise::most_excess
+                                   : least_excess + (WideNoise::most_excess - least_excess) * hidden;
+}
+
 /** The same noise all over the cloud, or nearly so. */
 WideNoise
 wideNoiseOfCloud (ThinnedNoiseOfCloud& cloud, int to_read)
@@ -90,12 +107,12 @@ wideNoiseOfCloud (ThinnedNoiseOfCloud& cloud, int to_read)
   WideNoise wide;
   wide.sigma = sigma;
   wide.field = noise.field;
+  wide.excess = excessOf (without_loss, usual_ratio);
   wide.halvings = regionalMedians (halvingsToReach (without_loss, ratios, cloud.rowLength ()), noise.spacing);
   if (without_loss == 0 && usual_ratio >= least_ratio_to_project)
     wide.ratios = regionalMedians (ratios, noise.spacing);
   return wide;
 }
-
 } // namespace
 
 WideNoise

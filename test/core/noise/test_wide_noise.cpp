@@ -21,6 +21,16 @@ halvingsOf (const Vectors& points, unsigned threads = 2)
   return wideNoiseOf (points, threads).halvings;
 }
 
+/** A square with waves of a length. */
+Vectors
+waves (double noise, double length)
+{
+  Vectors points = square (noise);
+  for (Eigen::Vector3f& point : points)
+    point.z () += static_cast<float> (0.1 * length * std::sin (2 * M_PI * point.x () / length));
+  return points;
+}
+
 TEST (WideNoiseTest, NeighbourhoodsGrowWithTheNoise)
 {
   float last = 0;
@@ -33,13 +43,7 @@ TEST (WideNoiseTest, NeighbourhoodsGrowWithTheNoise)
 
 TEST (WideNoiseTest, WhereTheyWouldLoseDetailPointsAreProjected)
 {
-  const auto waves = [] (double length) {
-    Vectors points = square (1);
-    for (Eigen::Vector3f& point : points)
-      point.z () += static_cast<float> (0.1 * length * std::sin (2 * M_PI * point.x () / length));
-    return points;
-  };
-  const WideNoise of_detail = wideNoiseOf (waves (0.15)), of_long_waves = wideNoiseOf (waves (5));
+  const WideNoise of_detail = wideNoiseOf (waves (1, 0.15)), of_long_waves = wideNoiseOf (waves (1, 5));
   EXPECT_NEAR (of_detail.ratios.valueAt ({.5f, .5f, 0}, 0), 1, 0.3f);
   EXPECT_TRUE (of_long_waves.ratios.regions.empty ()) << "as wide as the square: no detail";
   EXPECT_GT (of_long_waves.halvings.valueAt ({.5f, .5f, 0}, -1),
@@ -58,6 +62,12 @@ TEST (WideNoiseTest, ClumpsHideIt)
 {
   EXPECT_GT (halvingsOf (crossingSweeps (0.006)).valueAt ({.5f, .5f, 0}, -1), 1.5f);
   EXPECT_GT (halvingsOf (crossingSweeps (0.003)).valueAt ({.5f, .5f, 0}, -1), 0.5f);
+}
+
+TEST (WideNoiseTest, DetailIsNoClumps)
+{
+  for (const double noise : {0.6, 0.7, 0.8})
+    EXPECT_EQ (wideNoiseOf (pits (noise)).sigma, 0) << noise;
 }
 
 TEST (WideNoiseTest, CloseSheetsAreNone)
@@ -149,6 +159,13 @@ TEST (WideNoiseTest, SmoothingTakesItToBeLargerThanItIsRead)
 {
   EXPECT_NEAR (takenOverRead (square (0.2)), 1, 0.01);
   EXPECT_NEAR (takenOverRead (square (1)), 1.5, 0.01);
+}
+
+TEST (WideNoiseTest, NotSoMuchLargerWhereItIsNearlyRead)
+{
+  EXPECT_NEAR (takenOverRead (waves (0.4, 0.1)), 1.2, 0.01);
+  EXPECT_NEAR (takenOverRead (waves (0.6, 0.1)), 1.5, 0.01);
+  EXPECT_NEAR (takenOverRead (square (0.4)), 1.5, 0.01) << "has no detail to lose";
 }
 
 TEST (WideNoiseTest, OfAPartItIsSoThereAlone)

@@ -42,6 +42,21 @@ crossingSweeps (double noise)
   return points;
 }
 
+/** A disc full of steep pits, eight spacings wide. */
+inline Vectors
+pits (double noise)
+{
+  constexpr double width = 0.1, depth = 0.03;
+  Vectors points;
+  for (std::uint64_t i = 0; i < wide_count; ++i) {
+    const double away = std::sqrt (uniformNoise (1, i)), angle = 2 * M_PI * uniformNoise (2, i);
+    const double x = away * std::cos (angle), y = away * std::sin (angle);
+    const double z = depth * std::sin (2 * M_PI * x / width) * std::sin (2 * M_PI * y / width);
+    points.push_back (Eigen::Vector3d (x, y, z + noise * wide_spacing * gaussianNoise (3, i)).cast<float> ());
+  }
+  return points;
+}
+
 /** A cube full of points: no surface. */
 inline Vectors
 leaves (std::uint64_t count)
