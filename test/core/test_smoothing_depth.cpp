@@ -153,13 +153,16 @@ TEST (SmoothingDepthTest, Chain)
 TEST (SmoothingDepthTest, Rounds)
 {
   // A fit, an update, and three or four averages a round; a filter from the second on, or with fast where there is much noise;
-  // the first fit takes in the normals that the node begins with. At the end points are kept apart, one hop.
+  // the first fit takes in the normals that the node begins with. At the end points are kept apart, one hop. In far rounds what
+  // looks at neighbours looks at theirs.
   expectDepth (rounds (1, false, .2f), 12, 1 + 1 + 4 + 1, 5);
   expectDepth (rounds (1, false, .4f), 12, 1 + 1 + 4 + 1, 5);
   expectDepth (rounds (2, false, .2f), 12, (1 + 1 + 4) + (1 + 1 + 1 + 4) + 1, 5);
   expectDepth (rounds (1, true, .2f), 12, 1 + 1 + 3 + 1, 4);
   expectDepth (rounds (2, true, .2f), 12, 2 * (1 + 1 + 3) + 1, 4);
   expectDepth (rounds (2, true, .4f), 12, 2 * (1 + 1 + 1 + 3) + 1, 4);
+  expectDepth (rounds (3, true, .2f), 12, 2 * (1 + 1 + 3) + (2 + 2 + 3) + 1, 8);
+  expectDepth (rounds (3, true, .4f), 12, 2 * (1 + 1 + 1 + 3) + (2 + 2 + 2 + 3) + 1, 9);
   SmoothingOptions given = rounds (2, true, .2f);
   given.rounds.oriented = true;
   expectDepth (given, 12, 1 + 2 * (1 + 1 + 3) + 1, 4);
@@ -171,8 +174,8 @@ TEST (SmoothingDepthTest, Rounds)
 TEST (SmoothingDepthTest, OfThePresets)
 {
   SmoothingOptions standard = rounds (6, false, .2f), fast = rounds (3, true, .2f);
-  EXPECT_EQ (smoothingDepth (standard), 42);
-  EXPECT_EQ (smoothingDepth (fast), 16);
+  EXPECT_EQ (smoothingDepth (standard), 45);
+  EXPECT_EQ (smoothingDepth (fast), 18);
   EXPECT_EQ (smoothingDepth (chain (NormalSource::PCA, 5, 7)), 13);
 }
 

@@ -149,6 +149,31 @@ struct KeepApartStep
   float* moved; // out: offsets
 };
 
+/** Of a far row, with the node itself. */
+constexpr std::size_t far_row_length = 16;
+
+/** The rank of the neighbour behind which a far row goes on; 0 where rows have not as many. */
+constexpr std::size_t
+rankOfFar (std::size_t slot, std::size_t row_length)
+{
+  const std::size_t used = row_length < 32 ? row_length : 32;
+  return used >= far_row_length ? slot * used / far_row_length : slot < used ? slot : 0;
+}
+
+/** Finds rows twice as wide: see core/rounds/far_rows.h. */
+struct FarRowsStep
+{
+  struct Block
+  {
+    const std::uint32_t* rows;
+    std::int32_t length; // 32 at most
+  };
+
+  NodeArrays nodes;    // their normals are not read
+  const Block* blocks; // of the graph
+  std::uint8_t* ranks; // out: 16 far_row_length of every block
+};
+
 /** Lets 16 triples of points vote for the normals of their planes: see core/chain/hough.h. */
 struct PlaneVotes
 {
@@ -196,6 +221,7 @@ struct Kernels
   void (*average_risks) (const StepControl& control, const BlockRows& rows);
   void (*take_steps) (const StepControl& control, const BlockRows& rows);
   void (*keep_apart) (const KeepApartStep& step, const BlockRows& rows);
+  void (*find_far_rows) (const FarRowsStep& step, const BlockRows& rows);
   void (*vote_planes) (const PlaneVotes& votes);
   /** The candidates within the bound: their numbers and squared distances. Both outputs have room for candidates.count
     * and 16 more. */

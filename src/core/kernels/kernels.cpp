@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The table of the kernels of one instruction set; compiled once for each.
+#include "far_rows.h"
 #include "keep_apart.h"
 #include "nearest.h"
 #include "normal_filter.h"
@@ -122,6 +123,7 @@ const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA),
                        onBlock<StepControl, averageRisks>,
                        onBlock<StepControl, takeSteps>,
                        onBlock<KeepApartStep, keepApart>,
+                       onBlock<FarRowsStep, findFarRows>,
                        voteAllPlanes,
                        selectNearCandidates,
                        rankAllKeys};

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/chain/normal_filter.h>
 #include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/core/rounds/far_rows.h>
 #include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
 #include <pcl_normal_smoothing/core/rounds/round_schedule.h>
 #include <pcl_normal_smoothing/core/search/node_blocks.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace pcl_normal_smoothing
@@ -68,8 +70,10 @@ public:
     const RoundSchedule schedule = chooseSchedule (options);
     constexpr int fit = 1, update = 1;
     int all = first_fit - fit;
-    for (int round = 0; round < options.rounds; ++round)
-      all += fit + (filteringSigma (options, round) > 0 ? 1 : 0) + update + schedule.averages;
+    for (int round = 0; round < options.rounds; ++round) {
+      const int hops = round < schedule.first_far_round ? 1 : 2; // to neighbours of neighbours
+      all += hops * (fit + (filteringSigma (options, round) > 0 ? 1 : 0) + update) + schedule.averages;
+    }
     constexpr int keep_apart = 1;
     return all + keep_apart;
   }
@@ -81,10 +85,13 @@ public:
       progress_ = execution_.part (round, round, options_.rounds);
       const bool fine = round < schedule_.fine_rounds;
       k_ = fine ? fine_k : max_k;
+      if (round >= schedule_.first_far_round)
+        far_.emplace (graph_, positions_, execution_.silent ());
       fitNormals (round);
       if (const float sigma_s = filteringSigma (options_, round); sigma_s > 0)
         filterFitted (sigma_s);
       proposeSteps (fine);
+      far_.reset ();
       takeSteps (round);
       execution_.report ((round + 1.0) / options_.rounds);
     }
@@ -93,12 +100,23 @@ public:
   }
 
 private:
-  template <typename Kernel, typename Arguments>
+  /** Calls \a body for the rows of all blocks that the round looks at. */
+  template <typename Body>
   void
-  forAllBlocks (const Kernel& kernel, const Arguments& arguments, std::size_t k)
+  forRowsOfRound (const Body& body)
   {
     forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
-      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, k), rows.begin, rows.pairs_begin});
+      FarRows::Buffer buffer;
+      body (far_ ? far_->ofBlock (rows, buffer) : BlockRows {rows.neighbors, std::min (rows.length, k_)});
+    });
+  }
+
+  template <typename Kernel, typename Arguments>
+  void
+  forAllBlocks (const Kernel& kernel, const Arguments& arguments)
+  {
+    forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
+      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, max_k), rows.begin, rows.pairs_begin});
     });
   }
 
@@ -117,7 +135,7 @@ private:
     const float noise_ratio = noiseRatio (options_);
     step.ridge = .3f * std::clamp (.15f * noise_ratio * noise_ratio, .003f, .01f);
     step.fitted = other_.data ()->data ();
-    forAllBlocks (kernels ().fit_normals, step, k_);
+    forRowsOfRound ([&] (const BlockRows& rows) { kernels ().fit_normals (step, rows); });
     normals_.swap (other_);
   }
 
@@ -132,9 +150,8 @@ private:
     step.oriented = options_.oriented;
     step.all_normals = all_normals_;
     step.filtered = other_.data ()->data ();
-    forEachBlock (graph_, progress_, [&] (const BlockRows& block) {
+    forRowsOfRound ([&] (const BlockRows& rows) {
       std::uint16_t distance_weights[NeighborGraph::block_size * max_k];
-      const BlockRows rows {block.neighbors, std::min (block.length, k_)};
       kernels ().distance_weights ({step.nodes, distance_weights}, rows);
       NormalFilterStep of_block = step;
       of_block.distance_weights = distance_weights;
@@ -159,7 +176,7 @@ private:
     step.all_normals = all_normals_;
     step.max_displacement = std::numeric_limits<float>::infinity ();
     step.moved = other_.data ()->data ();
-    forAllBlocks (kernels ().update_points, step, k_);
+    forRowsOfRound ([&] (const BlockRows& rows) { kernels ().update_points (step, rows); });
   }
 
   void
@@ -178,17 +195,17 @@ private:
     control.gain = schedule_.tolerance * variance * schedule_.gains[round];
     control.max_displacement = options_.max_displacement;
     control.risks = risks_.data ();
-    forAllBlocks (kernels ().step_risks, control, max_k);
+    forAllBlocks (kernels ().step_risks, control);
     if (round == 0) // normals and positions change little afterwards
-      forAllBlocks (kernels ().averaging_weights, control, max_k);
+      forAllBlocks (kernels ().averaging_weights, control);
     for (int average = 0; average < schedule_.averages; ++average) {
       control.risks = risks_.data ();
       control.averaged = averaged_.data ();
-      forAllBlocks (kernels ().average_risks, control, max_k);
+      forAllBlocks (kernels ().average_risks, control);
       risks_.swap (averaged_);
     }
     control.risks = risks_.data ();
-    forAllBlocks (kernels ().take_steps, control, max_k);
+    forAllBlocks (kernels ().take_steps, control);
     positions_.offset.swap (other_);
   }
 
@@ -202,7 +219,7 @@ private:
     step.max_displacement = options_.max_displacement;
     step.moved = other_.data ()->data ();
     progress_ = execution_.silent (); // the rounds have told all
-    forAllBlocks (kernels ().keep_apart, step, max_k);
+    forAllBlocks (kernels ().keep_apart, step);
     positions_.offset.swap (other_);
   }
 
@@ -229,10 +246,11 @@ private:
   RoundSchedule schedule_;
   bool all_normals_; // no node is without one, now and later
   std::size_t k_ = 0;
-  const Vectors& start_; // as startOf has it
-  Vectors other_;        // what the next stage writes: normals, or offsets
-  Numbers moved_;        // along the normals since the first round, from where the risk is measured
-  Numbers risks_;        // two a node
+  std::optional<FarRows> far_; // in far rounds, until the step is proposed
+  const Vectors& start_;       // as startOf has it
+  Vectors other_;              // what the next stage writes: normals, or offsets
+  Numbers moved_;              // along the normals since the first round, from where the risk is measured
+  Numbers risks_;              // two a node
   Numbers averaged_;
   PaddedVector<std::uint8_t> weights_;
   Numbers variance_factors_; // empty: 1 everywhere

@@ -23,10 +23,10 @@ RoundSchedule
 chooseSchedule (const RobustSmoothingOptions& options)
 {
   if (options.fast)
-    return {0, {.690f, .060f, .0186f, .0100f, .0060f, .0040f}, 1.8f, {2, 1, 1, 1, 1, 1}, 3, 1, .06f};
+    return {0, 2, {.690f, .060f, .041f, .0056f, .0038f, .0029f}, 1.8f, {2, 1, 1, 1, 1, 1}, 3, 1, .06f};
   if (noiseRatio (options) >= coarse_ratio)
-    return {0, {.660f, .084f, .0202f, .0086f, .0052f, .0037f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, 1, .05f};
-  return {2, {.661f, .0745f, .0517f, .0139f, .0080f, .0051f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, .7f, .05f};
+    return {0, 5, {.660f, .084f, .0202f, .0086f, .0052f, .007f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, 1, .05f};
+  return {2, 5, {.661f, .0745f, .0517f, .0139f, .0080f, .0135f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, .7f, .05f};
 }
 
 float

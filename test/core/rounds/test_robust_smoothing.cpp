@@ -112,55 +112,68 @@ TEST_P (RobustSmoothingTest, TwoCloseSheetsKeepTheirDistance)
   }
 }
 
-/** Of the p2s, that of two sheets over that of one alone. */
+constexpr float sheet_spacing = 0.02f;
+
+/** Of the distance to the surface, what is left over what was there. \param[in] start normals that point to one side; or none */
 double
-costOfASecondSheet (float gap, bool fast, bool oriented)
+leftOf (const Shape& shape, bool fast, const Vectors& start = {})
 {
-  constexpr float spacing = 0.02f;
-  const Shape one = planeGrid (50, spacing), two = parallelSheets (50, spacing, gap * spacing);
   SmoothingOptions options = robustOptions (fast);
-  const auto distance = [&] (const Shape& shape, const Vectors& start) {
-    const Vectors noisy = withNormalNoise (shape, 0.2 * spacing, 5);
-    const Vectors after = sum (noisy, smoothed (asPositions (noisy), fast ? 16 : 32, options, start).displacements);
-    double total = 0;
-    for (std::size_t i = 0; i < after.size (); ++i)
-      total += std::abs ((after[i] - shape.points[i]).dot (shape.normals[i]));
-    return total / static_cast<double> (after.size ());
-  };
-  const double alone = distance (one, {});
-  if (oriented) {
+  if (!start.empty ()) {
     options.normals = NormalSource::INPUT;
     options.rounds.oriented = true;
   }
-  return distance (two, oriented ? two.normals : Vectors ()) / alone;
+  const auto distance = [&] (const Vectors& points) {
+    double total = 0;
+    for (std::size_t i = 0; i < points.size (); ++i)
+      total += std::abs ((points[i] - shape.points[i]).dot (shape.normals[i]));
+    return total;
+  };
+  const Vectors noisy = withNormalNoise (shape, 0.2 * sheet_spacing, 5);
+  return distance (sum (noisy, smoothed (asPositions (noisy), fast ? 16 : 32, options, start).displacements)) /
+         distance (noisy);
+}
+
+Shape
+sheetsApart (float gap)
+{
+  return parallelSheets (50, sheet_spacing, gap * sheet_spacing);
+}
+
+TEST (RobustSmoothingOfSheetsTest, OneAlone)
+{
+  EXPECT_LT (leftOf (planeGrid (50, sheet_spacing), false), .145);
+  EXPECT_LT (leftOf (planeGrid (50, sheet_spacing), true), .235);
 }
 
 TEST (RobustSmoothingOfSheetsTest, ASecondSheetCostsLittle)
 {
+  const double alone = leftOf (planeGrid (50, sheet_spacing), false);
   for (const float gap : {1.5f, 1.75f, 2.0f, 3.0f})
-    EXPECT_LT (costOfASecondSheet (gap, false, false), 1.1) << gap << " spacings apart";
+    EXPECT_LT (leftOf (sheetsApart (gap), false), 1.1 * alone) << gap << " spacings apart";
 }
 
 TEST (RobustSmoothingOfSheetsTest, ASecondSheetCostsFastLittle)
 {
   // Farther apart, hardly any of the 16 nearest lie on the other sheet: they are not seen, and need not be.
   for (const float gap : {1.5f, 1.75f, 2.0f, 3.0f})
-    EXPECT_LT (costOfASecondSheet (gap, true, false), 1.1) << gap << " spacings apart";
+    EXPECT_LT (leftOf (sheetsApart (gap), true), .285) << gap << " spacings apart";
 }
 
 TEST (RobustSmoothingOfSheetsTest, SheetsAsCloseAsTheirPointsAreNotMerged)
 {
   // A tenth above what holds; rows that count from the point cost as much more.
-  EXPECT_LT (costOfASecondSheet (1, false, false), 2.15);
-  EXPECT_LT (costOfASecondSheet (1.2f, false, false), 1.15);
-  EXPECT_LT (costOfASecondSheet (1, true, false), 1.95);
-  EXPECT_LT (costOfASecondSheet (1.2f, true, false), 1.35);
+  EXPECT_LT (leftOf (sheetsApart (1), false), .315);
+  EXPECT_LT (leftOf (sheetsApart (1.2f), false), .17);
+  EXPECT_LT (leftOf (sheetsApart (1), true), .51);
+  EXPECT_LT (leftOf (sheetsApart (1.2f), true), .365);
 }
 
 TEST (RobustSmoothingOfSheetsTest, WithOrientedNormalsItCostsNothing)
 {
+  const double alone = leftOf (planeGrid (50, sheet_spacing), false);
   for (const float gap : {1.0f, 1.5f, 2.0f, 3.0f})
-    EXPECT_LT (costOfASecondSheet (gap, false, true), 1.1) << gap << " spacings apart";
+    EXPECT_LT (leftOf (sheetsApart (gap), false, sheetsApart (gap).normals), 1.1 * alone) << gap << " spacings apart";
 }
 
 TEST_P (RobustSmoothingTest, TheOutlineOfAPatchStays)

@@ -18,7 +18,8 @@ constexpr std::size_t max_k = 32;
   * the step, on a plane of pure noise, in variances of the noise. */
 struct RoundSchedule
 {
-  int fine_rounds; // with the smaller neighbourhood
+  int fine_rounds;     // with the smaller neighbourhood
+  int first_far_round; // from there on with one twice as wide
   float gains[max_rounds];
   float tolerance; // of the risk: a factor of the gains
   int solves[max_rounds];

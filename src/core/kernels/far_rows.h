@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "local_points.h"
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace PCL_NORMAL_SMOOTHING_ISA
+{
+/** The neighbours of the lanes' neighbours: each row of its own length. */
+class NextRows
+{
+public:
+  LANES_INLINE
+  NextRows (const FarRowsStep& step, const std::uint32_t* neighbor)
+  {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const FarRowsStep::Block& block = step.blocks[neighbor[lane] / 16];
+      first_[lane] = block.rows + neighbor[lane] % 16;
+      last_[lane] = block.length - 1;
+    }
+  }
+
+  /** Sets \a index to those of a rank, 1 at least, or the last, and \a ranks to which these are. */
+  LANES_INLINE void
+  at (std::int32_t rank, std::uint32_t* index, std::int32_t* ranks) const
+  {
+    const std::int32_t wanted = rank > 1 ? rank : 1;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      ranks[lane] = wanted < last_[lane] ? wanted : last_[lane];
+      index[lane] = first_[lane][16 * ranks[lane]];
+    }
+  }
+
+private:
+  const std::uint32_t* first_[lane_count];
+  std::int32_t last_[lane_count];
+};
+
+/** The ranks of what stands in the lanes' far rows: see core/rounds/far_rows.h. A node is never its own neighbour, which kernels expect at
+  * the end of a row alone. */
+LANES_INLINE void
+findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
+{
+  constexpr std::int32_t around = 2; // the way on from a neighbour is about as long as that to it, and so is its rank
+  const std::uint32_t* own = rows.neighbors + first;
+  const Points points (step.nodes.base, step.nodes.offset, own);
+  std::uint8_t* ranks = step.ranks + own[0] / 16 * 16 * far_row_length + first;
+  for (std::size_t slot = 0; slot < far_row_length; ++slot) {
+    const auto rank = static_cast<std::int32_t> (rankOfFar (slot, rows.length));
+    const std::uint32_t* neighbor = own + 16 * rank;
+    const Lanes3 end = splat (2) * points.difference (neighbor);
+    const NextRows next (step, neighbor);
+    Lanes least = splat (__builtin_inff ());
+    Mask nearest = {};
+    for (std::int32_t r = rank - around; r <= rank + around; ++r) {
+      std::uint32_t index[lane_count];
+      std::int32_t ranks_there[lane_count];
+      next.at (r, index, ranks_there);
+      const Lanes3 off = points.difference (index) - end;
+      const Lanes distance = dot (off, off);
+      const Mask is_nearer = (distance < least) & isOther (index, own);
+      least = is_nearer ? distance : least;
+      nearest = is_nearer ? load<Mask> (ranks_there) : nearest;
+    }
+    nearest = isOther (neighbor, own) ? nearest : Mask {};
+    const Bytes bytes = __builtin_convertvector(nearest, Bytes);
+    std::memcpy (ranks + 16 * slot, &bytes, sizeof bytes);
+  }
+}
+} // namespace PCL_NORMAL_SMOOTHING_ISA
+} // namespace core
+} // namespace pcl_normal_smoothing

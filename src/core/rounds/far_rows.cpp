@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/rounds/far_rows.h>
+#include <pcl_normal_smoothing/core/rounds/round_schedule.h>
+#include <pcl_normal_smoothing/core/search/node_blocks.h>
+
+#include <algorithm>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+constexpr std::size_t block_size = NeighborGraph::block_size;
+} // namespace
+
+FarRows::FarRows (const NeighborGraph& graph, const Positions& positions, const Execution& execution)
+: graph_ (graph), ranks_ (graph.blockCount () * block_size * far_row_length)
+{
+  std::vector<FarRowsStep::Block> blocks;
+  for (std::size_t block = 0; block < graph.blockCount (); ++block)
+    blocks.push_back (
+        {graph.blockRows (block), static_cast<std::int32_t> (std::min (graph.blockLength (block), max_k))});
+  // Lanes behind the last node may be left out.
+  std::fill (ranks_.end () - static_cast<std::ptrdiff_t> (std::min (ranks_.size (), block_size * far_row_length)),
+             ranks_.end (), std::uint8_t (0));
+  const FarRowsStep step {{positions.base.data ()->data (), positions.offset.data ()->data (), nullptr},
+                          blocks.data (),
+                          ranks_.data ()};
+  forEachBlock (graph, execution, [&] (const BlockRows& rows) { kernels ().find_far_rows (step, rows); });
+}
+
+BlockRows
+FarRows::ofBlock (const BlockRows& rows, Buffer& buffer) const
+{
+  const std::uint8_t* ranks = ranks_.data () + rows.neighbors[0] * far_row_length;
+  for (std::size_t slot = 0; slot < far_row_length; ++slot)
+    for (std::size_t lane = 0; lane < block_size; ++lane) {
+      const std::uint32_t neighbor = rows.neighbors[rankOfFar (slot, rows.length) * block_size + lane];
+      const std::size_t i = slot * block_size + lane;
+      buffer.neighbors[i] = graph_.blockRows (neighbor / block_size)[neighbor % block_size + ranks[i] * block_size];
+    }
+  return {buffer.neighbors, far_row_length};
+}
+} // namespace core
+} // namespace pcl_normal_smoothing
