@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/core/rounds/round_schedule.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 
 #include <algorithm>

@@ -18,6 +18,7 @@ FarRows::FarRows (const NeighborGraph& graph, const Positions& positions, const 
 : graph_ (graph), ranks_ (graph.blockCount () * block_size * far_row_length)
 {
   std::vector<FarRowsStep::Block> blocks;
+  blocks.reserve (graph.blockCount ());
   for (std::size_t block = 0; block < graph.blockCount (); ++block)
     blocks.push_back (
         {graph.blockRows (block), static_cast<std::int32_t> (std::min (graph.blockLength (block), max_k))});

@@ -32,7 +32,8 @@ check (const RobustSmoothingOptions& options)
 
 namespace
 {
-/** The state of the rounds and their steps, in order. */
+/** The state of the rounds and their steps, in order. A loop over the blocks that reads what the one before wrote for neighbours goes a hop
+  * farther: roundsDepth counts them. */
 class Rounds
 {
 public:
@@ -59,25 +60,6 @@ public:
   , variance_factors_ (core::varianceFactors (options.noise.field, positions, execution))
   {}
 
-  /** Every loop over the blocks that reads what the one before wrote for neighbours goes a hop farther: change both. */
-  static int
-  depth (const RobustSmoothingOptions& options, int of_normals)
-  {
-    if (options.rounds == 0)
-      return of_normals;
-    // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals too.
-    const int first_fit = std::max (of_normals, 1 + (options.oriented ? of_normals : 0));
-    const RoundSchedule schedule = chooseSchedule (options);
-    constexpr int fit = 1, update = 1;
-    int all = first_fit - fit;
-    for (int round = 0; round < options.rounds; ++round) {
-      const int hops = round < schedule.first_far_round ? 1 : 2; // to neighbours of neighbours
-      all += hops * (fit + (filteringSigma (options, round) > 0 ? 1 : 0) + update) + schedule.averages;
-    }
-    constexpr int keep_apart = 1;
-    return all + keep_apart;
-  }
-
   void
   run ()
   {
@@ -86,12 +68,12 @@ public:
       const bool fine = round < schedule_.fine_rounds;
       k_ = fine ? fine_k : max_k;
       if (round >= schedule_.first_far_round)
-        far_.emplace (graph_, positions_, execution_.silent ());
+        beginFar ();
       fitNormals (round);
       if (const float sigma_s = filteringSigma (options_, round); sigma_s > 0)
         filterFitted (sigma_s);
       proposeSteps (fine);
-      far_.reset ();
+      endFar ();
       takeSteps (round);
       execution_.report ((round + 1.0) / options_.rounds);
     }
@@ -100,6 +82,23 @@ public:
   }
 
 private:
+  /** Takes the memory of the risks, which are not needed until a step is proposed. */
+  void
+  beginFar ()
+  {
+    Numbers ().swap (risks_);
+    Numbers ().swap (averaged_);
+    far_.emplace (graph_, positions_, execution_.silent ());
+  }
+
+  void
+  endFar ()
+  {
+    far_.reset ();
+    risks_.resize (2 * graph_.size ());
+    averaged_.resize (2 * graph_.size ());
+  }
+
   /** Calls \a body for the rows of all blocks that the round looks at. */
   template <typename Body>
   void
@@ -266,12 +265,6 @@ startNormals (const NeighborGraph& graph, const Positions& positions, const Exec
     kernels ().start_normals (task, {rows.neighbors, std::min (rows.length, k)});
   });
   return normals;
-}
-
-int
-roundsDepth (const RobustSmoothingOptions& options, int of_normals)
-{
-  return Rounds::depth (options, of_normals);
 }
 
 void

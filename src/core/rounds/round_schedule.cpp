@@ -37,5 +37,23 @@ filteringSigma (const RobustSmoothingOptions& options, int round)
     return noise_ratio > .29f ? .15f : 0;
   return round > 0 ? std::clamp (.26f * noise_ratio, .02f, .15f) : 0;
 }
+
+int
+roundsDepth (const RobustSmoothingOptions& options, int of_normals)
+{
+  if (options.rounds == 0)
+    return of_normals;
+  // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals too.
+  const int first_fit = std::max (of_normals, 1 + (options.oriented ? of_normals : 0));
+  const RoundSchedule schedule = chooseSchedule (options);
+  constexpr int fit = 1, update = 1;
+  int all = first_fit - fit;
+  for (int round = 0; round < options.rounds; ++round) {
+    const int hops = round < schedule.first_far_round ? 1 : 2; // to neighbours of neighbours
+    all += hops * (fit + (filteringSigma (options, round) > 0 ? 1 : 0) + update) + schedule.averages;
+  }
+  constexpr int keep_apart = 1;
+  return all + keep_apart;
+}
 } // namespace core
 } // namespace pcl_normal_smoothing

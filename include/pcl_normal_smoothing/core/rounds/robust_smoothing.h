@@ -38,12 +38,6 @@ check (const RobustSmoothingOptions& options);
 Vectors
 startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k = 12);
 
-/** How far along the rows smoothRobustly looks: what becomes of a node depends on nodes that are so many hops off, and on the
-  * rows of those that are fewer hops off, on nothing else.
-  * \param[in] of_normals how far the normals look that it starts from */
-int
-roundsDepth (const RobustSmoothingOptions& options, int of_normals);
-
 /** \param[in] start offsets of the nodes before anything moved, as startOf tells; what options.max_displacement counts from
   * \param[in,out] positions of the nodes; their offsets change
   * \param[in,out] normals of the nodes to start from, length 1 or NaN; on return those of the last round */

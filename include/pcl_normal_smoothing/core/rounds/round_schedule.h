@@ -39,5 +39,11 @@ noiseRatio (const RobustSmoothingOptions& options);
   * 0: there is no pass. */
 float
 filteringSigma (const RobustSmoothingOptions& options, int round);
+
+/** How far along the rows smoothRobustly looks: what becomes of a node depends on nodes that are so many hops off, and on the
+  * rows of those that are fewer hops off, on nothing else.
+  * \param[in] of_normals how far the normals look that it starts from */
+int
+roundsDepth (const RobustSmoothingOptions& options, int of_normals);
 } // namespace core
 } // namespace pcl_normal_smoothing
