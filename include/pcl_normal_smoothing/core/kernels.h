@@ -163,15 +163,10 @@ rankOfFar (std::size_t slot, std::size_t row_length)
 /** Finds rows twice as wide: see core/rounds/far_rows.h. */
 struct FarRowsStep
 {
-  struct Block
-  {
-    const std::uint32_t* rows;
-    std::int32_t length; // 32 at most
-  };
-
-  NodeArrays nodes;    // their normals are not read
-  const Block* blocks; // of the graph
-  std::uint8_t* ranks; // out: 16 far_row_length of every block
+  NodeArrays nodes;                       // their normals are not read
+  const std::uint32_t* const* block_rows; // of the graph
+  const std::uint8_t* sizes;              // of the rows of all nodes, 32 at most
+  std::uint8_t* ranks;                    // out: 16 far_row_length of every block
 };
 
 /** Lets 16 triples of points vote for the normals of their planes: see core/chain/hough.h. */

@@ -17,20 +17,19 @@ public:
   NextRows (const FarRowsStep& step, const std::uint32_t* neighbor)
   {
     for (int lane = 0; lane < lane_count; ++lane) {
-      const FarRowsStep::Block& block = step.blocks[neighbor[lane] / 16];
-      first_[lane] = block.rows + neighbor[lane] % 16;
-      last_[lane] = block.length - 1;
+      first_[lane] = step.block_rows[neighbor[lane] / 16] + neighbor[lane] % 16;
+      last_[lane] = step.sizes[neighbor[lane]] - 1;
     }
   }
 
-  /** Sets \a index to those of a rank, 1 at least, or the last, and \a ranks to which these are. */
+  /** Sets \a index to those of the ranks, 1 at least, or the last, and \a there to which ranks these have. */
   LANES_INLINE void
-  at (std::int32_t rank, std::uint32_t* index, std::int32_t* ranks) const
+  at (const std::int32_t* ranks, std::int32_t offset, std::uint32_t* index, std::int32_t* there) const
   {
-    const std::int32_t wanted = rank > 1 ? rank : 1;
     for (int lane = 0; lane < lane_count; ++lane) {
-      ranks[lane] = wanted < last_[lane] ? wanted : last_[lane];
-      index[lane] = first_[lane][16 * ranks[lane]];
+      const std::int32_t rank = ranks[lane] + offset, wanted = rank > 1 ? rank : 1;
+      there[lane] = wanted < last_[lane] ? wanted : last_[lane];
+      index[lane] = first_[lane][16 * there[lane]];
     }
   }
 
@@ -49,21 +48,25 @@ findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
   const Points points (step.nodes.base, step.nodes.offset, own);
   std::uint8_t* ranks = step.ranks + own[0] / 16 * 16 * far_row_length + first;
   for (std::size_t slot = 0; slot < far_row_length; ++slot) {
-    const auto rank = static_cast<std::int32_t> (rankOfFar (slot, rows.length));
-    const std::uint32_t* neighbor = own + 16 * rank;
+    std::int32_t rank[lane_count];
+    std::uint32_t neighbor[lane_count];
+    for (int lane = 0; lane < lane_count; ++lane) {
+      rank[lane] = static_cast<std::int32_t> (rankOfFar (slot, step.sizes[own[lane]]));
+      neighbor[lane] = own[16 * rank[lane] + lane];
+    }
     const Lanes3 end = splat (2) * points.difference (neighbor);
     const NextRows next (step, neighbor);
     Lanes least = splat (__builtin_inff ());
     Mask nearest = {};
-    for (std::int32_t r = rank - around; r <= rank + around; ++r) {
+    for (std::int32_t offset = -around; offset <= around; ++offset) {
       std::uint32_t index[lane_count];
-      std::int32_t ranks_there[lane_count];
-      next.at (r, index, ranks_there);
+      std::int32_t there[lane_count];
+      next.at (rank, offset, index, there);
       const Lanes3 off = points.difference (index) - end;
       const Lanes distance = dot (off, off);
       const Mask is_nearer = (distance < least) & isOther (index, own);
       least = is_nearer ? distance : least;
-      nearest = is_nearer ? load<Mask> (ranks_there) : nearest;
+      nearest = is_nearer ? load<Mask> (there) : nearest;
     }
     nearest = isOther (neighbor, own) ? nearest : Mask {};
     const Bytes bytes = __builtin_convertvector(nearest, Bytes);

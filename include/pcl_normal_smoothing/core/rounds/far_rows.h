@@ -31,6 +31,7 @@ public:
 
 private:
   const NeighborGraph& graph_;
+  PaddedVector<std::uint8_t> sizes_; // of the rows of all nodes
   PaddedVector<std::uint8_t> ranks_; // of what stands there among the neighbour's neighbours: 0 is the neighbour
 };
 } // namespace core
