@@ -150,14 +150,14 @@ struct KeepApartStep
 };
 
 /** Of a far row, with the node itself. */
-constexpr std::size_t far_row_length = 16;
+constexpr std::uint32_t far_row_length = 16;
 
-/** The rank of the neighbour behind which a far row goes on; 0 where rows have not as many. */
-constexpr std::size_t
-rankOfFar (std::size_t slot, std::size_t row_length)
+/** The rank, in a row of that length, of the neighbour that a slot of a far row goes on from; 0, which is the node itself,
+  * where the row is too short. */
+constexpr std::uint32_t
+seedRank (std::uint32_t slot, std::uint32_t row_length)
 {
-  const std::size_t used = row_length < 32 ? row_length : 32;
-  return used >= far_row_length ? slot * used / far_row_length : slot < used ? slot : 0;
+  return row_length >= far_row_length ? slot * row_length / far_row_length : slot < row_length ? slot : 0;
 }
 
 /** Finds rows twice as wide: see core/rounds/far_rows.h. */
@@ -165,7 +165,7 @@ struct FarRowsStep
 {
   NodeArrays nodes;                       // their normals are not read
   const std::uint32_t* const* block_rows; // of the graph
-  const std::uint8_t* sizes;              // of the rows of all nodes, 32 at most
+  const std::uint8_t* row_lengths;        // of all nodes, 32 at most
   std::uint8_t* ranks;                    // out: 16 far_row_length of every block
 };
 

@@ -18,11 +18,11 @@ public:
   {
     for (int lane = 0; lane < lane_count; ++lane) {
       first_[lane] = step.block_rows[neighbor[lane] / 16] + neighbor[lane] % 16;
-      last_[lane] = step.sizes[neighbor[lane]] - 1;
+      last_[lane] = step.row_lengths[neighbor[lane]] - 1;
     }
   }
 
-  /** Sets \a index to those of the ranks, 1 at least, or the last, and \a there to which ranks these have. */
+  /** \param[out] index the neighbours at these ranks \param[out] there the ranks, from 1 to that of the last neighbour */
   LANES_INLINE void
   at (const std::int32_t* ranks, std::int32_t offset, std::uint32_t* index, std::int32_t* there) const
   {
@@ -38,30 +38,34 @@ private:
   std::int32_t last_[lane_count];
 };
 
-/** The ranks of what stands in the lanes' far rows: see core/rounds/far_rows.h. A node is never its own neighbour, which kernels expect at
-  * the end of a row alone. */
+/** The ranks of what stands in the lanes' far rows: see core/rounds/far_rows.h. A node is never its own neighbour, which
+  * kernels expect at the end of a row alone. */
 LANES_INLINE void
 findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
 {
-  constexpr std::int32_t around = 2; // the way on from a neighbour is about as long as that to it, and so is its rank
+  constexpr std::int32_t rank_window = 2; // the way on is about as long as that to the neighbour, and so is its rank
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
-  std::uint8_t* ranks = step.ranks + own[0] / 16 * 16 * far_row_length + first;
-  for (std::size_t slot = 0; slot < far_row_length; ++slot) {
-    std::int32_t rank[lane_count];
+  const std::size_t block = own[0] / 16;
+  std::uint8_t* ranks = step.ranks + 16 * far_row_length * block + first;
+  std::uint32_t lengths[lane_count];
+  for (int lane = 0; lane < lane_count; ++lane)
+    lengths[lane] = step.row_lengths[own[lane]];
+  for (std::uint32_t slot = 0; slot < far_row_length; ++slot) {
+    std::int32_t seeds[lane_count];
     std::uint32_t neighbor[lane_count];
     for (int lane = 0; lane < lane_count; ++lane) {
-      rank[lane] = static_cast<std::int32_t> (rankOfFar (slot, step.sizes[own[lane]]));
-      neighbor[lane] = own[16 * rank[lane] + lane];
+      seeds[lane] = static_cast<std::int32_t> (seedRank (slot, lengths[lane]));
+      neighbor[lane] = own[16 * seeds[lane] + lane];
     }
     const Lanes3 end = splat (2) * points.difference (neighbor);
     const NextRows next (step, neighbor);
     Lanes least = splat (__builtin_inff ());
     Mask nearest = {};
-    for (std::int32_t offset = -around; offset <= around; ++offset) {
+    for (std::int32_t offset = -rank_window; offset <= rank_window; ++offset) {
       std::uint32_t index[lane_count];
       std::int32_t there[lane_count];
-      next.at (rank, offset, index, there);
+      next.at (seeds, offset, index, there);
       const Lanes3 off = points.difference (index) - end;
       const Lanes distance = dot (off, off);
       const Mask is_nearer = (distance < least) & isOther (index, own);

@@ -88,7 +88,7 @@ private:
   {
     Numbers ().swap (risks_);
     Numbers ().swap (averaged_);
-    far_.emplace (graph_, positions_, execution_.silent ());
+    far_.emplace (graph_, nodeArrays (positions_, normals_), execution_.silent ());
   }
 
   void

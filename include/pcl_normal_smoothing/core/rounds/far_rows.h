@@ -9,20 +9,20 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Neighbourhoods twice as wide as those of a graph, of as many points as narrow ones have, without a search: in place of a neighbour j of i
-  * stands that neighbour of j which lies nearest to where the way from i to j ends when it is gone twice. What is in no row, as the
-  * points of another sheet, does not come in. */
+/** Neighbourhoods about twice as wide as those of a graph, of 16 points, without a search. In place of a neighbour j of i
+  * stands the neighbour of j that is nearest to p_i + 2 (p_j - p_i), among the five whose rank in j's row is about that of
+  * j in i's row. What is in no row, as the points of another sheet, does not come in. */
 class FarRows
 {
 public:
   /** \param[in] graph kept while this is used
-    * \param[in] positions with offsets; not kept */
-  FarRows (const NeighborGraph& graph, const Positions& positions, const Execution& execution);
+    * \param[in] nodes where the nodes are; not kept, and their normals not read */
+  FarRows (const NeighborGraph& graph, const NodeArrays& nodes, const Execution& execution);
 
-  /** What the rows of a block are put into, with room for kernels that read a vector past the end. */
+  /** What the rows of a block are put into. */
   struct alignas (64) Buffer
   {
-    std::uint32_t neighbors[(far_row_length + 1) * NeighborGraph::block_size];
+    std::uint32_t neighbors[far_row_length * NeighborGraph::block_size];
   };
 
   /** \param[in] rows of a block of the graph \return its far rows, in \a buffer */
@@ -31,7 +31,7 @@ public:
 
 private:
   const NeighborGraph& graph_;
-  PaddedVector<std::uint8_t> sizes_; // of the rows of all nodes
+  PaddedVector<std::uint8_t> row_lengths_; // of all nodes, max_k at most
   PaddedVector<std::uint8_t> ranks_; // of what stands there among the neighbour's neighbours: 0 is the neighbour
 };
 } // namespace core
