@@ -89,8 +89,8 @@ NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
   const auto cloud = [&] { return searched; };
   const core::Execution whole = execution ();
   const auto graph = obtainGraph (filter_name_, run.cloud (), cloud, whole.part (0, 0.5));
-  const auto research = options.update.search_interval > 0 ? makeResearch (graph, cloud) : core::Research ();
-  run.smooth (graph, normals, research, whole.part (0.5, 1));
+  const auto search_again = options.update.search_interval > 0 ? makeSearchAgain (graph, cloud) : core::SearchAgain ();
+  run.smooth (graph, normals, search_again, whole.part (0.5, 1));
   used_options_ = run.options ();
   run.writePositions (layout, output.data.data ());
   if (saved_normals)

@@ -58,7 +58,7 @@ SmoothingRun::SmoothingRun (const core::SmoothingOptions& options,
 void
 SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
                       const std::optional<VectorView>& normals,
-                      const core::Research& research,
+                      const core::SearchAgain& search_again,
                       const core::Execution& execution)
 {
   graph_ = graph;
@@ -70,7 +70,7 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
     normals_ = readNodeNormals (*normals, *graph, execution_);
   core::SmoothingOptions options = options_.inUnit (unit_);
   core::prepareSmoothing (normals_, execution.still (), graph_, options, nodes);
-  core::smooth (graph_, options, research, execution, start, nodes, normals_);
+  core::smooth (graph_, options, search_again, execution, start, nodes, normals_);
   options_ = options.inUnit (1 / unit_);
   displacements_ = core::displacements (start, nodes);
   if (!graph_->copies ().points.empty ())

@@ -98,8 +98,8 @@ protected:
 
   /** Searches the neighbours of moved nodes as the first were searched; by k or the radius where these are of a graph that was set.
     * \throw core::Error where neither is set beside a graph */
-  core::Research
-  makeResearch (const NeighborGraph::ConstPtr& graph, const std::function<SearchCloudConstPtr ()>& cloud) const;
+  core::SearchAgain
+  makeSearchAgain (const NeighborGraph::ConstPtr& graph, const std::function<SearchCloudConstPtr ()>& cloud) const;
 
   SearchPtr search_;
   int k_ = 0;

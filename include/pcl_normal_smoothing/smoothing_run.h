@@ -40,11 +40,11 @@ public:
   }
 
   /** \param[in] normals of the cloud, for NormalSource::INPUT
-    * \param[in] research see core::updatePoints */
+    * \param[in] search_again see core::updatePoints */
   void
   smooth (const core::NeighborGraph::ConstPtr& graph,
           const std::optional<VectorView>& normals,
-          const core::Research& research,
+          const core::SearchAgain& search_again,
           const core::Execution& execution);
 
   /** With what was estimated from the cloud. */

@@ -89,7 +89,7 @@ requireNormals (std::size_t nodes_with_normal)
 void
 smoothByNormals (const NeighborGraph::ConstPtr& graph,
                  const SmoothingOptions& options,
-                 const Research& research,
+                 const SearchAgain& search_again,
                  const Execution& execution,
                  const Vectors& start,
                  Positions& positions,
@@ -98,20 +98,20 @@ smoothByNormals (const NeighborGraph::ConstPtr& graph,
   if (options.robust)
     return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), start, positions, normals);
   filterNormals (*graph, positions, options.filter, execution.part (0.3, 0.7), normals);
-  updatePoints (graph, normals, options.update, research, execution.part (0.7, 1), positions);
+  updatePoints (graph, normals, options.update, search_again, execution.part (0.7, 1), positions);
 }
 
 void
 smooth (const NeighborGraph::ConstPtr& graph,
         const SmoothingOptions& options,
-        const Research& research,
+        const SearchAgain& search_again,
         const Execution& execution,
         const Vectors& start,
         Positions& positions,
         Vectors& normals)
 {
   requireNormals (estimateFirstNormals (*graph, options, execution, positions, normals));
-  smoothByNormals (graph, options, research, execution, start, positions, normals);
+  smoothByNormals (graph, options, search_again, execution, start, positions, normals);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

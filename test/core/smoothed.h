@@ -51,8 +51,8 @@ smoothed (const Positions& cloud,
   const Vectors start = startOf (nodes);
   Vectors of_nodes = normals.empty () ? Vectors () : byNode (normals, *graph);
   prepareSmoothing (of_nodes, execution, graph, options, nodes);
-  const Research research = [&] (const Positions& moved) { return graph->rebuild (moved, {k}, execution); };
-  smooth (graph, options, research, execution, start, nodes, of_nodes);
+  const SearchAgain search_again = [&] (const Positions& moved) { return graph->rebuild (moved, {k}, execution); };
+  smooth (graph, options, search_again, execution, start, nodes, of_nodes);
   return {byPoint (displacements (start, nodes), *graph), byPoint (of_nodes, *graph)};
 }
 

@@ -66,7 +66,7 @@ requireNormals (std::size_t nodes_with_normal);
 void
 smoothByNormals (const NeighborGraph::ConstPtr& graph,
                  const SmoothingOptions& options,
-                 const Research& research,
+                 const SearchAgain& search_again,
                  const Execution& execution,
                  const Vectors& start,
                  Positions& positions,
@@ -82,7 +82,7 @@ smoothByNormals (const NeighborGraph::ConstPtr& graph,
 void
 smooth (const NeighborGraph::ConstPtr& graph,
         const SmoothingOptions& options,
-        const Research& research,
+        const SearchAgain& search_again,
         const Execution& execution,
         const Vectors& start,
         Positions& positions,

@@ -25,8 +25,9 @@ NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
     const auto graph = this->obtainGraph (this->filter_name_, cloud, input, execution.part (0, 0.7));
     core::Positions nodes = gather (cloud, graph->order (), execution.silent ());
     const core::Vectors start = core::startOf (nodes);
-    const core::Research research = options.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();
-    core::updatePoints (graph, readNormals (input_normals, graph->order ()), options.inUnit (nodes.unit), research,
+    const core::SearchAgain search_again =
+        options.search_interval > 0 ? this->makeSearchAgain (graph, input) : core::SearchAgain ();
+    core::updatePoints (graph, readNormals (input_normals, graph->order ()), options.inUnit (nodes.unit), search_again,
                         execution.part (0.7, 1), nodes);
     writeDisplacements (displacements (start, nodes), nodes.unit, graph->order (), selected, positionLayout<PointT> (),
                         reinterpret_cast<std::uint8_t*> (output.data ()));

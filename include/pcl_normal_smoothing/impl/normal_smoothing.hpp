@@ -24,8 +24,9 @@ NormalSmoothing<PointT>::applyFilter (PointCloud& output)
 
     SmoothingRun run (options, positionsOf (*this->input_), *this->indices_, execution.silent ());
     const auto graph = this->obtainGraph (this->filter_name_, run.cloud (), input, execution.part (0, 0.5));
-    const auto research = options.update.search_interval > 0 ? this->makeResearch (graph, input) : core::Research ();
-    run.smooth (graph, normals, research, execution.part (0.5, 1));
+    const auto search_again =
+        options.update.search_interval > 0 ? this->makeSearchAgain (graph, input) : core::SearchAgain ();
+    run.smooth (graph, normals, search_again, execution.part (0.5, 1));
     used_options_ = run.options ();
     auto* data = reinterpret_cast<std::uint8_t*> (output.data ());
     run.writePositions (positionLayout<PointT> (), data);

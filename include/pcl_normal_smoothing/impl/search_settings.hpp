@@ -27,9 +27,9 @@ SearchSettings<PointT>::obtainGraph (const std::string& class_name,
 }
 
 template <typename PointT>
-core::Research
-SearchSettings<PointT>::makeResearch (const NeighborGraph::ConstPtr& graph,
-                                      const std::function<SearchCloudConstPtr ()>& cloud) const
+core::SearchAgain
+SearchSettings<PointT>::makeSearchAgain (const NeighborGraph::ConstPtr& graph,
+                                         const std::function<SearchCloudConstPtr ()>& cloud) const
 {
   if (neighbor_graph_ && k_ == 0 && radius_ == 0) // how the graph was searched it does not say
     throw core::Error ("a neighbour graph and a search interval are set, but neither k nor a radius to search anew by: "

@@ -35,7 +35,7 @@ void
 updatePoints (NeighborGraph::ConstPtr graph,
               const Vectors& normals,
               const PointUpdateOptions& options,
-              const Research& research,
+              const SearchAgain& search_again,
               const Execution& execution,
               Positions& positions)
 {
@@ -53,7 +53,7 @@ updatePoints (NeighborGraph::ConstPtr graph,
   step.max_displacement = options.max_displacement;
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     if (options.search_interval > 0 && iteration > 0 && iteration % options.search_interval == 0)
-      graph = research (positions);
+      graph = search_again (positions);
     step.nodes = nodeArrays (positions, normals);
     step.moved = moved.data ()->data ();
     forEachBlock (*graph, execution.part (iteration, iteration + 1, options.iterations),

@@ -59,7 +59,7 @@ residualVariances (const NumberOfNodes& variances, const BlockRows& rows, int fi
     Lanes sum = {};
     for (std::size_t j = 0; j < local.count; ++j)
       sum += local.one[j] * (field.residual (quadric, j) * field.residual (quadric, j));
-    variance = sum / quadric.squaredSlope ();
+    variance = sum / quadric.squaredSecant ();
   }
   const Lanes size = local.size ();
   variance *= local.reach * local.reach / (size - 6);
@@ -105,7 +105,7 @@ fitNormals (const QuadricFitStep& step, const BlockRows& rows, int first)
   const Lanes variance_factor = load1OrOne (step.variance_factors, own);
   const Lanes residual_factor = step.residual_factor / variance_factor * (local.reach * local.reach);
   for (int solve = 1; solve < step.solves; ++solve) {
-    const Lanes factor = residual_factor / quadric.squaredSlope ();
+    const Lanes factor = residual_factor / quadric.squaredSecant ();
     for (std::size_t j = 0; j < local.count; ++j) {
       const Lanes residual = field.residual (quadric, j);
       weights[j] = local.one[j] * bell (exponents[j] + residual * residual * factor);

@@ -92,7 +92,7 @@ class LayerFinder
 {
 public:
   explicit LayerFinder (const ThinnedSample& sample)
-  : sample_ (sample), halvings_ (sample.size (), static_cast<float> (sample.end ())), steps_ (sample.size (), 0)
+  : sample_ (sample), halvings_ (sample.size (), static_cast<float> (sample.levelCount ())), steps_ (sample.size (), 0)
   {}
 
   LayerEstimate
@@ -100,7 +100,7 @@ public:
   {
     bool have_layers = false;
     float spacing = 0;
-    for (int halvings = 0; halvings < sample_.end (); ++halvings) {
+    for (int halvings = 0; halvings < sample_.levelCount (); ++halvings) {
       const std::vector<Ways> ways = sample_.waysAfter (halvings);
       const Planes planes = planesOf (ways);
       for (std::size_t s = 0; s < planes.size (); ++s)
@@ -110,12 +110,12 @@ public:
       if (halvings == 0)
         spacing = medianReach (ways);
     }
-    std::vector<LocalValue> steps = sample_.inPlace (steps_);
+    std::vector<LocalValue> steps = sample_.atPlaces (steps_);
     steps.erase (std::remove_if (steps.begin (), steps.end (), [] (const LocalValue& step) { return step.value == 0; }),
                  steps.end ());
     if (!have_layers || !(spacing > 0) || !areAlike (steps, spacing))
       return {};
-    return {regionalMedians (sample_.inPlace (halvings_), spacing), regionalMedians (steps, spacing),
+    return {regionalMedians (sample_.atPlaces (halvings_), spacing), regionalMedians (steps, spacing),
             noiseOfStep (share_stepped_)};
   }
 

@@ -136,7 +136,7 @@ estimateLines (const NeighborGraph& graph, const Positions& nodes, const Executi
   const ThinnedSample sample (graph, nodes, still);
   std::vector<LineEnd> ends (sample.size ());
   float reach = 0;
-  for (int halvings = 0; halvings < sample.end (); ++halvings) {
+  for (int halvings = 0; halvings < sample.levelCount (); ++halvings) {
     const std::vector<Ways> ways = sample.waysAfter (halvings);
     for (std::size_t s = 0; s < ways.size (); ++s)
       ends[s].see (Spread (ways[s]), halvings);
@@ -148,7 +148,7 @@ estimateLines (const NeighborGraph& graph, const Positions& nodes, const Executi
     halvings.push_back (end.halvings ());
   if (!(reach > 0))
     return {};
-  RegionalField field = regionalMedians (sample.inPlace (halvings), reach);
+  RegionalField field = regionalMedians (sample.atPlaces (halvings), reach);
   const auto wide = [] (const RegionalField::Region& region) { return region.value > .5f; };
   return std::any_of (field.regions.begin (), field.regions.end (), wide) ? field : RegionalField ();
 }

@@ -65,11 +65,11 @@ corrected (const NoiseSample& sample, const Factors& factors)
   return variances;
 }
 
-/** Between points lies nothing, or a gap to another scan line. */
-enum class Between
+/** How points lie on the surface: scattered all over it, or along the lines of a scanner, with gaps between these. */
+enum class Pattern
 {
-  NOTHING,
-  LINES
+  SCATTERED,
+  SCAN_LINES
 };
 
 /** The variances of neighbourhoods of one size, each at its place. */
@@ -84,17 +84,17 @@ localVariances (const NoiseSample& sample, const Factors& factors, std::size_t s
 }
 
 NoiseField
-fieldOf (const NoiseSample& sample, Between between, double certainty_of_detail, const NoiseEstimate& noise)
+fieldOf (const NoiseSample& sample, Pattern pattern, double certainty_of_detail, const NoiseEstimate& noise)
 {
   const Factors factors = correctionsOf (sample, noise);
-  const std::size_t size = between == Between::LINES ? of_12 : smallestToTrust (corrected (sample, factors));
+  const std::size_t size = pattern == Pattern::SCAN_LINES ? of_12 : smallestToTrust (corrected (sample, factors));
   return estimateNoiseField (localVariances (sample, factors, size), noise.spacing, noise.sigma / noise.spacing,
                              certainty_of_detail);
 }
 
 /** \param[in,out] noise, its spacing and field known */
 void
-estimateSigma (const NoiseSample& sample, Between between, double certainty_of_detail, NoiseEstimate& noise)
+estimateSigma (const NoiseSample& sample, Pattern pattern, double certainty_of_detail, NoiseEstimate& noise)
 {
   constexpr int iterations = 3;
   double certainty_of_slant = 0;
@@ -103,13 +103,13 @@ estimateSigma (const NoiseSample& sample, Between between, double certainty_of_d
     if (iteration == 0) // the larger sigma is, the more does density seem to explain
       certainty_of_slant = (1 - certainty_of_detail) * certaintyOfSlant (variances);
     const double sigma =
-        between == Between::LINES ? sigmaAcrossLines (variances) : sigmaBy (variances, certainty_of_slant);
+        pattern == Pattern::SCAN_LINES ? sigmaAcrossLines (variances) : sigmaBy (variances, certainty_of_slant);
     noise.sigma = static_cast<float> (sigma * whatQuadricsFollow (sigma / noise.spacing));
   }
 }
 
 NoiseEstimate
-estimateNoise (const NoiseSample& sample, Between between)
+estimateNoise (const NoiseSample& sample, Pattern pattern)
 {
   std::vector<float> distances;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes)
@@ -121,19 +121,20 @@ estimateNoise (const NoiseSample& sample, Between between)
   NoiseEstimate noise;
   noise.spacing = static_cast<float> (spacing);
   const Factors as_they_are (sample.of_nodes.size (), 1);
-  const double detail =
-      between == Between::LINES ? 0 : certaintyOfDetail (localVariances (sample, as_they_are, of_12), noise.spacing);
-  estimateSigma (sample, between, detail, noise);
-  noise.field = fieldOf (sample, between, detail, noise);
+  const double detail = pattern == Pattern::SCAN_LINES
+                            ? 0
+                            : certaintyOfDetail (localVariances (sample, as_they_are, of_12), noise.spacing);
+  estimateSigma (sample, pattern, detail, noise);
+  noise.field = fieldOf (sample, pattern, detail, noise);
   if (!noise.field.isEven ())
-    estimateSigma (sample, between, detail, noise);
+    estimateSigma (sample, pattern, detail, noise);
   return noise;
 }
 
 NoiseEstimate
 noiseInLayers (NoiseSample sample, const LayerEstimate& layers)
 {
-  NoiseEstimate noise = estimateNoise (sample, Between::NOTHING);
+  NoiseEstimate noise = estimateNoise (sample, Pattern::SCATTERED);
   std::vector<float> steps;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes)
     steps.push_back (layers.steps.valueAt (residuals.place, 0));
@@ -142,7 +143,7 @@ noiseInLayers (NoiseSample sample, const LayerEstimate& layers)
     return noise;
   sample.dropPlanes ();
   if (!sample.of_nodes.empty ())
-    noise = estimateNoise (sample, Between::NOTHING);
+    noise = estimateNoise (sample, Pattern::SCATTERED);
   noise.sigma = std::max (noise.sigma, layers.noise_of_step * step);
   noise.field = relativeField (layers.steps, step);
   return noise;
@@ -167,7 +168,7 @@ estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Executi
 NoiseEstimate
 estimateNoise (const NoiseSample& sample)
 {
-  return estimateNoise (sample, Between::NOTHING);
+  return estimateNoise (sample, Pattern::SCATTERED);
 }
 
 NoiseEstimate
@@ -175,7 +176,8 @@ estimateNoise (const NoiseSample& sample, const Widening& widening)
 {
   if (widening.layers.hasLayers ())
     return noiseInLayers (sample, widening.layers);
-  NoiseEstimate noise = estimateNoise (sample, !widening.lines.regions.empty () ? Between::LINES : Between::NOTHING);
+  NoiseEstimate noise =
+      estimateNoise (sample, !widening.lines.regions.empty () ? Pattern::SCAN_LINES : Pattern::SCATTERED);
   noise.sigma = widening.wide_noise.sigma > 0 ? widening.wide_noise.sigma : widening.rounding.atLeast (noise.sigma);
   if (widening.projects () ||
       !widening.wide_noise.is_everywhere) // the sample is of points that moved, or of rows that differ

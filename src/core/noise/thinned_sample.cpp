@@ -40,7 +40,7 @@ ThinnedSample::ThinnedSample (const NeighborGraph& graph, const Positions& nodes
 , nodes_ (nodes)
 , execution_ (execution)
 , nodes_of_sample_ (sampleNodes (nodes, sample_size, execution))
-, end_ (ThinnedCloud::mostHalvings (nodes.size (), least_size) + 1)
+, level_count_ (ThinnedCloud::mostHalvings (nodes.size (), least_size) + 1)
 {}
 
 std::vector<Ways>
@@ -63,7 +63,7 @@ ThinnedSample::waysAfter (int halvings) const
 }
 
 std::vector<LocalValue>
-ThinnedSample::inPlace (const std::vector<float>& values) const
+ThinnedSample::atPlaces (const std::vector<float>& values) const
 {
   std::vector<LocalValue> local;
   for (std::size_t s = 0; s < size (); ++s)

@@ -116,9 +116,9 @@ wideNoiseOfPart (ThinnedNoiseOfCloud& cloud)
     return {};
   const RegionalField growth = growthOfNoise (cloud);
   constexpr float infinity = std::numeric_limits<float>::infinity ();
-  ThinnedNoiseOfPart core (cloud, growth, growth_of_wide, infinity), wide (cloud, growth, growth_near_wide, infinity),
+  ThinnedNoiseOfPart inner (cloud, growth, growth_of_wide, infinity), wide (cloud, growth, growth_near_wide, infinity),
       other (cloud, growth, -1, growth_near_wide);
-  const int to_read = hidesNoiseInPart (core) ? halvingsToReadPart (core) : 0;
+  const int to_read = hidesNoiseInPart (inner) ? halvingsToReadPart (inner) : 0;
   if (to_read == 0)
     return {};
   const float sigma = sigmaOf (wide, to_read);

@@ -57,7 +57,7 @@ private:
 
 template <typename Condition>
 std::vector<float>
-those (const std::vector<float>& values, const Condition& condition)
+filtered (const std::vector<float>& values, const Condition& condition)
 {
   std::vector<float> found;
   std::copy_if (values.begin (), values.end (), std::back_inserter (found), condition);
@@ -111,7 +111,7 @@ estimateSheets (const SheetSample& sample, float distance)
   const std::vector<float>& heights = sample.heights;
   const float share_beside = static_cast<float> (sample.nodes_beside) / static_cast<float> (sample.nodes);
   const SheetEstimate none {0, 0, share_beside};
-  const std::vector<float> far = those (heights, [&] (float height) { return height > distance / 2; });
+  const std::vector<float> far = filtered (heights, [&] (float height) { return height > distance / 2; });
   if (share_beside < min_share_beside || far.empty ())
     return none;
   const float gap = quantile (far, .5);
@@ -121,7 +121,7 @@ estimateSheets (const SheetSample& sample, float distance)
   };
   if (static_cast<double> (countAt (gap)) <= min_peak_over_valley * static_cast<double> (countAt (gap / 2)))
     return none;
-  const std::vector<float> near = those (heights, [&] (float height) { return height < gap / 2; });
+  const std::vector<float> near = filtered (heights, [&] (float height) { return height < gap / 2; });
   // Both points of a pair have noise.
   const float sigma = quantile (near, .5) / (0.6745f * std::sqrt (2.0f));
   if (quantile (sample.sides, .5) > (sigma < least_sigma_of_gap * gap ? side_of_layer : side_of_ball))

@@ -26,8 +26,10 @@ displacementsByPoint (const Vectors& cloud, const Vectors& normals, std::uint32_
   const NeighborQuery query {k};
   const auto graph = NeighborGraph::build (positions, query, Execution (2));
   Positions nodes = gather (positions, graph->order ());
-  const Research research = [&] (const Positions& moved) { return graph->rebuild (moved, query, Execution (2)); };
-  updatePoints (graph, byNode (normals, *graph), options, research, Execution (2), nodes);
+  const SearchAgain search_again = [&] (const Positions& moved) {
+    return graph->rebuild (moved, query, Execution (2));
+  };
+  updatePoints (graph, byNode (normals, *graph), options, search_again, Execution (2), nodes);
   return byPoint (nodes.offset, *graph);
 }
 

@@ -43,16 +43,16 @@ void
 check (const PointUpdateOptions& options);
 
 /** Searches the neighbours of nodes that have moved. */
-using Research = std::function<NeighborGraph::ConstPtr (const Positions&)>;
+using SearchAgain = std::function<NeighborGraph::ConstPtr (const Positions&)>;
 
 /** Runs options.iterations iterations of eq. 8 with the weights of eq. 9.
   * \param[in,out] positions of the nodes; their offsets change. A node without a normal (NaN) stays and is skipped.
-  * \param[in] research called every options.search_interval iterations; not used where that is 0 */
+  * \param[in] search_again called every options.search_interval iterations; not used where that is 0 */
 void
 updatePoints (NeighborGraph::ConstPtr graph,
               const Vectors& normals,
               const PointUpdateOptions& options,
-              const Research& research,
+              const SearchAgain& search_again,
               const Execution& execution,
               Positions& positions);
 } // namespace core

@@ -20,11 +20,11 @@ public:
   /** \param[in] graph of all nodes, at least one; all kept while this is used */
   ThinnedSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
-  /** How often the cloud can be halved, and once more. */
+  /** The levels of thinning: the cloud as it is, and as often as it can be halved. */
   int
-  end () const
+  levelCount () const
   {
-    return end_;
+    return level_count_;
   }
 
   /** About 4,096. */
@@ -40,14 +40,14 @@ public:
 
   /** \param[in] values one for every point of the sample */
   std::vector<LocalValue>
-  inPlace (const std::vector<float>& values) const;
+  atPlaces (const std::vector<float>& values) const;
 
 private:
   const NeighborGraph& graph_;
   const Positions& nodes_;
   const Execution& execution_;
   std::vector<std::uint32_t> nodes_of_sample_;
-  int end_;
+  int level_count_;
 };
 } // namespace core
 } // namespace pcl_normal_smoothing
