@@ -89,8 +89,8 @@ public:
     return a[0] + a[1] * u + a[2] * v + (a[3] * u + a[4] * v) * u + a[5] * v * v;
   }
 
-  /** 1 + |gradient|^2 at the origin: the squared secant of the slope there, by whose root a height over the plane of the frame
-    * is larger than the distance from the quadric. */
+  /** 1 + |gradient|^2 at the origin: the squared secant of the slope there, by whose root a height over the plane of
+    * the frame is larger than the distance from the quadric. */
   LANES_INLINE Lanes
   squaredSecant () const
   {

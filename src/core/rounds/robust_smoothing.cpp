@@ -22,7 +22,8 @@ check (const RobustSmoothingOptions& options)
     throw Error ("the noise's sigma is " + std::to_string (options.noise.sigma) + ", the spacing " +
                  std::to_string (options.noise.spacing) + ": give lengths of at least 0");
   if (options.rounds < 0 || options.rounds > max_rounds)
-    throw Error ("the number of rounds is " + std::to_string (options.rounds) + ": give 0 to 6");
+    throw Error ("the number of rounds is " + std::to_string (options.rounds) + ": give 0 to " +
+                 std::to_string (max_rounds));
   if (!(options.sheet_distance >= 0))
     throw Error ("the sheet distance is " + std::to_string (options.sheet_distance) + ": give a length of at least 0");
   if (!(options.max_displacement > 0))
@@ -131,8 +132,7 @@ private:
     step.oriented = options_.oriented;
     step.residual_factor = residualFactor ();
     step.variance_factors = varianceFactors ();
-    const float noise_ratio = noiseRatio (options_);
-    step.ridge = .3f * std::clamp (.15f * noise_ratio * noise_ratio, .003f, .01f);
+    step.ridge = ridgeOf (options_);
     step.fitted = other_.data ()->data ();
     forRowsOfRound ([&] (const BlockRows& rows) { kernels ().fit_normals (step, rows); });
     normals_.swap (other_);

@@ -9,8 +9,51 @@ namespace core
 {
 namespace
 {
+// The preset fast, whatever the noise.
+constexpr RoundSchedule fast_schedule = {
+    0,                                             // fine_rounds
+    2,                                             // first_far_round
+    {.690f, .060f, .041f, .0056f, .0038f, .0029f}, // gains
+    1.8f,                                          // tolerance
+    {2, 1, 1, 1, 1, 1},                            // solves
+    3,                                             // averages
+    1,                                             // fine_bandwidth
+    .06f,                                          // sigma_s
+};
+
 // Noise against spacing from which on only large neighbourhoods serve.
 constexpr float coarse_ratio = .62f;
+
+constexpr RoundSchedule coarse_schedule = {
+    0,                                             // fine_rounds
+    5,                                             // first_far_round
+    {.660f, .084f, .0202f, .0086f, .0052f, .007f}, // gains
+    1.3f,                                          // tolerance
+    {3, 2, 2, 2, 1, 1},                            // solves
+    4,                                             // averages
+    1,                                             // fine_bandwidth
+    .05f,                                          // sigma_s
+};
+
+// Below coarse_ratio.
+constexpr RoundSchedule fine_schedule = {
+    2,                                               // fine_rounds
+    5,                                               // first_far_round
+    {.661f, .0745f, .0517f, .0139f, .0080f, .0135f}, // gains
+    1.3f,                                            // tolerance
+    {3, 2, 2, 2, 1, 1},                              // solves
+    4,                                               // averages
+    .7f,                                             // fine_bandwidth
+    .05f,                                            // sigma_s
+};
+
+// sigma_s of the filter, as a factor of noise against spacing: so much the fitted normals scatter. And its bounds.
+constexpr float filtering_of_ratio = .26f, least_filtering = .02f, most_filtering = .15f;
+// With fast: noise against spacing up to which there is no filter, and its sigma_s beyond.
+constexpr float fast_unfiltered_ratio = .29f, fast_filtering = .15f;
+
+// ridge_scale times this factor of the square of noise against spacing, which has bounds.
+constexpr float ridge_scale = .3f, ridge_of_sq_ratio = .15f, least_ridge = .003f, most_ridge = .01f;
 } // namespace
 
 float
@@ -23,10 +66,15 @@ RoundSchedule
 chooseSchedule (const RobustSmoothingOptions& options)
 {
   if (options.fast)
-    return {0, 2, {.690f, .060f, .041f, .0056f, .0038f, .0029f}, 1.8f, {2, 1, 1, 1, 1, 1}, 3, 1, .06f};
-  if (noiseRatio (options) >= coarse_ratio)
-    return {0, 5, {.660f, .084f, .0202f, .0086f, .0052f, .007f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, 1, .05f};
-  return {2, 5, {.661f, .0745f, .0517f, .0139f, .0080f, .0135f}, 1.3f, {3, 2, 2, 2, 1, 1}, 4, .7f, .05f};
+    return fast_schedule;
+  return noiseRatio (options) >= coarse_ratio ? coarse_schedule : fine_schedule;
+}
+
+float
+ridgeOf (const RobustSmoothingOptions& options)
+{
+  const float noise_ratio = noiseRatio (options);
+  return ridge_scale * std::clamp (ridge_of_sq_ratio * noise_ratio * noise_ratio, least_ridge, most_ridge);
 }
 
 float
@@ -34,8 +82,8 @@ filteringSigma (const RobustSmoothingOptions& options, int round)
 {
   const float noise_ratio = noiseRatio (options);
   if (options.fast)
-    return noise_ratio > .29f ? .15f : 0;
-  return round > 0 ? std::clamp (.26f * noise_ratio, .02f, .15f) : 0;
+    return noise_ratio > fast_unfiltered_ratio ? fast_filtering : 0;
+  return round > 0 ? std::clamp (filtering_of_ratio * noise_ratio, least_filtering, most_filtering) : 0;
 }
 
 int

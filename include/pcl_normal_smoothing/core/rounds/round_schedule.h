@@ -10,7 +10,8 @@ namespace pcl_normal_smoothing
 namespace core
 {
 constexpr int max_rounds = 6;
-/** Neighbourhoods of fine rounds and of the others: prefixes of the graph's rows. */
+/** How many points fine rounds and the others look at: the first of the node's row, itself counted. Far rounds look at
+  * others, which are not in it: see FarRows. */
 constexpr std::size_t fine_k = 16;
 constexpr std::size_t max_k = 32;
 
@@ -19,7 +20,7 @@ constexpr std::size_t max_k = 32;
 struct RoundSchedule
 {
   int fine_rounds;     // with the smaller neighbourhood
-  int first_far_round; // from there on with one twice as wide
+  int first_far_round; // from there on with one twice as wide: FarRows
   float gains[max_rounds];
   float tolerance; // of the risk: a factor of the gains
   int solves[max_rounds];
@@ -34,6 +35,11 @@ chooseSchedule (const RobustSmoothingOptions& options);
 /** sigma over the spacing; 0 where none is known. */
 float
 noiseRatio (const RobustSmoothingOptions& options);
+
+/** The ridge of the quadric fit, on its second-order terms, in shares of the sum of the weights: it grows with the
+  * square of noiseRatio, within bounds, as does what is noise of the curvature that is fitted. */
+float
+ridgeOf (const RobustSmoothingOptions& options);
 
 /** sigma_s of the pass over the fitted normals: what they scatter by the noise and not more, or curved surfaces become facets.
   * 0: there is no pass. */
