@@ -7,7 +7,7 @@ HEADERS = "include/pcl_normal_smoothing/"
 
 # name, file, what stands there, what is put in its place
 MUTATIONS = [
-    ("clumps: no noise is looked for in them", CORE + "noise/wide_noise.cpp", "return ratio > read_in_clumps &&", "return false &&"),
+    ("clumps: no noise is looked for in them", CORE + "noise/wide_noise.cpp", "return ratio > clumped_ratio &&", "return false &&"),
     ("clumps: detail is some", CORE + "noise/wide_noise.cpp", "noise.residual (1) < max_growth_in_clumps * noise.residual (0)", "true"),
     ("wide noise: smoothing takes it to be as much larger however much is read", CORE + "noise/wide_noise.cpp",
      "return halvings_without_loss > 0 ?", "return true ?"),
@@ -18,7 +18,7 @@ MUTATIONS = [
     ("far rows: no round looks at them", CORE + "rounds/robust_smoothing.cpp", "round >= schedule_.first_far_round", "false"),
     ("far rows: they are no farther for the depth", CORE + "rounds/round_schedule.cpp", "round < schedule.first_far_round ? 1 : 2", "1"),
     ("wide noise: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "noise.sigma *= wide.excess;", ";"),
-    ("noise read in part: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "hides_noise ? takenSigma (read)", "false ? takenSigma (read)"),
+    ("noise read in part: smoothing takes it as it is read", CORE + "smoothing_preparation.cpp", "hides_noise ? assumedSigma (estimated)", "false ? assumedSigma (estimated)"),
     ("search: what is left behind the last whole vector", KERNELS + "nearest.h", "if (first < candidates.count)", "if (false)"),
     ("search: keys behind the last pair have no rank", KERNELS + "nearest.h", "if (j < count)", "if (false)"),
     ("graph: changed rows are not the shortest", CORE + "search/neighbor_graph.cpp", "std::min (graph->min_row_length_, graph->row (nodes[i]).size ())",
@@ -142,9 +142,9 @@ MUTATIONS = [
      "pattern == Pattern::SCAN_LINES ? sigmaAcrossLines (variances) : ", ""),
     ("wide noise: it is not seen", CORE + "noise/wide_noise.cpp", "most == 0 || !hidesNoise (noise)", "true"),
     ("wide noise: close sheets are some", CORE + "noise/wide_noise.cpp", "wide.sigma > 0 && mayBeSheets", "false && mayBeSheets"),
-    ("wide noise: leaves are a surface", CORE + "noise/wide_noise.cpp", "return last < read_at_last ||", "return true ||"),
+    ("wide noise: leaves are a surface", CORE + "noise/wide_noise.cpp", "return last < resolved_ratio_of_last ||", "return true ||"),
     ("wide noise: wide parts of the cloud tell nothing", CORE + "noise/wide_noise.cpp", "noise.thickness () < max_thickness", "false"),
-    ("wide noise: of a part it is not seen", CORE + "noise/wide_noise_of_part.cpp", "hidesNoiseInPart (inner) ? halvingsToReadPart (inner) : 0;", "0;"),
+    ("wide noise: of a part it is not seen", CORE + "noise/wide_noise_of_part.cpp", "hidesNoiseInPart (inner) ? halvingsToResolvePart (inner) : 0;", "0;"),
     ("wide noise: of a part it is that of all", CORE + "noise/noise_estimate.cpp", "!widening.wide_noise.is_everywhere)", "false)"),
     ("wide noise: of a part it is not taken to be larger", CORE + "smoothing_preparation.cpp", "region.value *= wide.excess;", ";"),
     ("wide noise: sheets are looked for by one distance, however it varies", CORE + "smoothing_preparation.cpp",

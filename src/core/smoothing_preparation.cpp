@@ -26,11 +26,11 @@ constexpr float most_over_sheets = 3;
 constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
 constexpr float sheet_noise_factor = 1.4f;
-// As wide as the points are apart, noise is read as .7 to .9 of what it is, and no wider whatever it is: of the ratio to the spacing, from the
-// first on it may be that wide, from the second on it is taken to be. Where it is .7 it is read in full, but loses nothing by that.
+// Noise as wide as the points are apart is estimated as .7 to .9 of what it is, .8 spacings at most. So from the first
+// ratio to the spacing on sigma is assumed to be larger, from the second on by the factor; if it is .7 that costs nothing.
 constexpr float perhaps_wide = .67f;
 constexpr float as_if_wide = .74f;
-constexpr float unread_noise_factor = 1.6f;
+constexpr float underestimated_factor = 1.6f;
 // Nearer than that they are layers of one wall that faces a depth camera.
 constexpr float sheet_steps = 1.5f;
 // Of the noise: where sheets are told apart that nobody saw, less than this is not what noise leaves.
@@ -99,12 +99,13 @@ chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated, const S
   return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing, separated.spacing > 0 ? separated.field : mixed.field};
 }
 
-/** \return for how large the noise is taken that is read so large, of one sheet */
+/** \return how large the noise of one sheet is assumed to be that is estimated to be so large */
 float
-takenSigma (const NoiseEstimate& read)
+assumedSigma (const NoiseEstimate& estimated)
 {
-  const float above = read.spacing > 0 ? read.sigma / read.spacing - perhaps_wide : 0;
-  return read.sigma * (1 + (unread_noise_factor - 1) * std::clamp (above / (as_if_wide - perhaps_wide), 0.0f, 1.0f));
+  const float above = estimated.spacing > 0 ? estimated.sigma / estimated.spacing - perhaps_wide : 0;
+  return estimated.sigma *
+         (1 + (underestimated_factor - 1) * std::clamp (above / (as_if_wide - perhaps_wide), 0.0f, 1.0f));
 }
 
 /** Takes the noise to be larger where neighbourhoods grow with it. */
@@ -196,7 +197,7 @@ protected:
   }
 
   bool
-  readsInPart () const override
+  underestimatesWideNoise () const override
   {
     return !widening_.isNeeded () && !(widening_.rounding.step > 0);
   }
@@ -255,16 +256,16 @@ SmoothingPreparation::complete (SmoothingOptions& options)
   const NoiseEstimate known = knownNoise (noise, options);
   const SheetSight seen =
       needs_sheets && known.sigma > 0 ? sheets (sheetLooks (known.sigma, known.spacing)) : SheetSight ();
-  const bool hides_noise = readsInPart () && isOneSheet (seen, options);
-  const auto taken = [&] (NoiseEstimate read) {
-    read.sigma = hides_noise ? takenSigma (read) : read.sigma;
-    return read;
+  const bool hides_noise = underestimatesWideNoise () && isOneSheet (seen, options);
+  const auto assumed = [&] (NoiseEstimate estimated) {
+    estimated.sigma = hides_noise ? assumedSigma (estimated) : estimated.sigma;
+    return estimated;
   };
-  const bool moves = setSheetDistance (taken (noise), seen.sheets, options);
+  const bool moves = setSheetDistance (assumed (noise), seen.sheets, options);
   const bool changes = moves && separate (options);
   if (needs_noise && moves && (changes || seen.sheets.gap > 0))
     noise = noiseOfSheets (noise, seen.sheets, needs_sheets, options);
-  setNoise (taken (noise), options);
+  setNoise (assumed (noise), options);
 }
 
 NoiseEstimate

@@ -68,7 +68,7 @@ protected:
 
   /** Neighbourhoods are as they were searched, and so show but a part of noise that is as wide as the points are apart. */
   virtual bool
-  readsInPart () const
+  underestimatesWideNoise () const
   {
     return true;
   }

@@ -20,25 +20,25 @@ constexpr double max_growth = 1.05;
 } // namespace
 
 float
-sigmaOf (ThinnedNoise& noise, int halvings_to_read)
+sigmaOf (ThinnedNoise& noise, int halvings_to_resolve)
 {
   float sigma = 0;
-  for (int halvings = 0; halvings <= halvings_to_read; ++halvings)
+  for (int halvings = 0; halvings <= halvings_to_resolve; ++halvings)
     sigma = std::max (sigma, noise.noise (halvings).sigma);
   return sigma;
 }
 
 int
-halvingsWithoutLoss (ThinnedNoise& noise, int halvings_to_read)
+halvingsWithoutLoss (ThinnedNoise& noise, int halvings_to_resolve)
 {
-  if (noise.ratio (0) <= read_surely) // in clumps
+  if (noise.ratio (0) <= resolved_ratio) // in clumps
     return most_halvings_without_loss;
-  const double all = max_growth * noise.residual (halvings_to_read);
-  int halvings = halvings_to_read;
-  while (halvings < std::min (noise.mostHalvings (), halvings_to_read + most_halvings_without_loss) &&
+  const double all = max_growth * noise.residual (halvings_to_resolve);
+  int halvings = halvings_to_resolve;
+  while (halvings < std::min (noise.mostHalvings (), halvings_to_resolve + most_halvings_without_loss) &&
          noise.residual (halvings + 1) <= all)
     ++halvings;
-  return halvings - halvings_to_read;
+  return halvings - halvings_to_resolve;
 }
 
 std::vector<LocalValue>

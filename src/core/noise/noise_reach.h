@@ -7,25 +7,28 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Of sigma to the spacing, as they are read: up to this nothing is hidden but in clumps, and neighbourhoods that have to be wider had
-  * better be that wide. */
-constexpr double read_surely = .3;
+/** Of sigma, as it is estimated, to the spacing. Up to this ratio neighbourhoods are wider than the noise, so that
+  * quadrics show all of it: it is resolved. Only in clumps may more be hidden, for there points are closer than the
+  * spacing says. */
+constexpr double resolved_ratio = .3;
 
-/** A halving makes the spacing 1.4 times as wide, and the ratio .71 of what it was; where a part of the noise is hidden, more of it shows, and
-  * the ratio falls to more than this. */
-constexpr double max_fall = .83;
+/** A halving makes the spacing 1.4 times as wide. Noise that is resolved looks the same then, and the ratio drops to
+  * .71 of what it was, or at least below this share. Of noise that is not, the wider neighbourhoods show more, and
+  * it drops less. */
+constexpr double resolved_drop = .83;
 
 /** Of the distance of the eighth point, as in the estimate of the noise: sqrt (pi / 8). */
 constexpr double spacing_of_reach = .6267;
 
-/** The most that is seen up to where the noise is read: before, it is hidden in part; and there, the thinner the cloud the more do quadrics
-  * miss for the sake of detail. */
+/** The largest sigma of all clouds up to the one that resolves the noise: thicker ones hide a part of it, and in
+  * thinner ones quadrics take a part of it for detail. */
 float
-sigmaOf (ThinnedNoise& noise, int halvings_to_read);
+sigmaOf (ThinnedNoise& noise, int halvings_to_resolve);
 
-/** How often the cloud can be halved beyond that which shows the noise, 0 to 2, and nothing is lost by neighbourhoods that grow with it. */
+/** How often, 0 to 2, the cloud can be halved beyond the one that resolves the noise before neighbourhoods of its
+  * width lose detail. */
 int
-halvingsWithoutLoss (ThinnedNoise& noise, int halvings_to_read);
+halvingsWithoutLoss (ThinnedNoise& noise, int halvings_to_resolve);
 
 /** sigma over the spacing of the whole cloud, at the places of the sample.
   * \param[in] sigma the usual one, as so many halvings show it */

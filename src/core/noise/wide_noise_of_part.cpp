@@ -36,8 +36,8 @@ regionalNumbers (ThinnedNoise& cloud, const Number& number)
   return numbers.empty () ? RegionalField () : regionalMedians (numbers, cloud.noise (0).spacing);
 }
 
-/** How much more noise the nearest points show where more halvings thin the cloud, by regions: 1 where it is read in full, or is small
-  * against their spacing. Without regions where it is so everywhere. */
+/** How much more noise the nearest points show where more halvings thin the cloud, by regions: 1 where it is
+  * resolved, or is small against their spacing. Without regions where it is so everywhere. */
 RegionalField
 growthOfNoise (ThinnedNoise& cloud)
 {
@@ -79,19 +79,19 @@ spreadOf (const NoiseSample& sample)
 bool
 hidesNoiseInPart (ThinnedNoise& part)
 {
-  if (part.sample (0).of_nodes.size () < least_part || !(part.ratio (0) > read_surely))
+  if (part.sample (0).of_nodes.size () < least_part || !(part.ratio (0) > resolved_ratio))
     return false;
   const double growth =
       part.ratio (more_halvings) / part.ratio (few_halvings) * std::exp2 (.5 * (more_halvings - few_halvings));
   return growth > min_growth_in_part && spreadOf (part.sample (0)) < max_spread_in_part;
 }
 
-/** \return how often the cloud has to be halved for the noise of a part to be read that hides it; 0: there is no surface */
+/** \return how often the cloud has to be halved to resolve the noise of a part that hides it; 0: there is no surface */
 int
-halvingsToReadPart (ThinnedNoise& part)
+halvingsToResolvePart (ThinnedNoise& part)
 {
   for (int halvings = 1; halvings < part.mostHalvings (); ++halvings)
-    if (part.ratio (halvings) < read_surely && part.ratio (halvings + 1) < max_fall * part.ratio (halvings))
+    if (part.ratio (halvings) < resolved_ratio && part.ratio (halvings + 1) < resolved_drop * part.ratio (halvings))
       return halvings;
   return 0;
 }
@@ -111,22 +111,22 @@ localSigmas (const NoiseSample& sample, const NoiseField& field, float sigma)
 WideNoise
 wideNoiseOfPart (ThinnedNoiseOfCloud& cloud)
 {
-  const NoiseEstimate& read = cloud.noise (0);
-  if (!(read.spacing > 0) || cloud.mostHalvings () < more_halvings)
+  const NoiseEstimate& unthinned = cloud.noise (0);
+  if (!(unthinned.spacing > 0) || cloud.mostHalvings () < more_halvings)
     return {};
   const RegionalField growth = growthOfNoise (cloud);
   constexpr float infinity = std::numeric_limits<float>::infinity ();
   ThinnedNoiseOfPart inner (cloud, growth, growth_of_wide, infinity), wide (cloud, growth, growth_near_wide, infinity),
       other (cloud, growth, -1, growth_near_wide);
-  const int to_read = hidesNoiseInPart (inner) ? halvingsToReadPart (inner) : 0;
-  if (to_read == 0)
+  const int to_resolve = hidesNoiseInPart (inner) ? halvingsToResolvePart (inner) : 0;
+  if (to_resolve == 0)
     return {};
-  const float sigma = sigmaOf (wide, to_read);
-  const NoiseField& field = wide.noise (to_read).field;
-  std::vector<LocalValue> halvings =
-      halvingsToReach (halvingsWithoutLoss (wide, to_read), localRatios (wide, to_read, sigma), cloud.rowLength ());
-  std::vector<LocalValue> sigmas = localSigmas (wide.sample (to_read), field, sigma);
-  for (const LocalValue& local : localSigmas (other.sample (0), read.field, read.sigma)) {
+  const float sigma = sigmaOf (wide, to_resolve);
+  const NoiseField& field = wide.noise (to_resolve).field;
+  std::vector<LocalValue> halvings = halvingsToReach (halvingsWithoutLoss (wide, to_resolve),
+                                                      localRatios (wide, to_resolve, sigma), cloud.rowLength ());
+  std::vector<LocalValue> sigmas = localSigmas (wide.sample (to_resolve), field, sigma);
+  for (const LocalValue& local : localSigmas (other.sample (0), unthinned.field, unthinned.sigma)) {
     sigmas.push_back (local);
     halvings.push_back ({local.place, 0});
   }
@@ -137,8 +137,8 @@ wideNoiseOfPart (ThinnedNoiseOfCloud& cloud)
   noise.sigma = quantile (values, .5);
   if (!(noise.sigma > 0)) // most of the cloud is clean
     return {};
-  noise.field = relativeField (regionalMedians (sigmas, read.spacing), noise.sigma);
-  noise.halvings = regionalMedians (halvings, read.spacing);
+  noise.field = relativeField (regionalMedians (sigmas, unthinned.spacing), noise.sigma);
+  noise.halvings = regionalMedians (halvings, unthinned.spacing);
   noise.is_everywhere = false;
   return noise;
 }
