@@ -71,9 +71,9 @@ needsSheets (const SmoothingOptions& options)
 
 /** Nothing tells of a second sheet, and nobody says that there may be one. */
 bool
-isOneSheet (const SheetSight& seen, const SmoothingOptions& options)
+isOneSheet (const SheetDetection& detected, const SmoothingOptions& options)
 {
-  return !options.rounds.oriented && !seen.may_be &&
+  return !options.rounds.oriented && !detected.may_exist &&
          (needsSheets (options) || std::isinf (options.rounds.sheet_distance));
 }
 
@@ -84,7 +84,7 @@ setSheetDistance (const NoiseEstimate& noise, const SheetEstimate& sheets, Smoot
   const NoiseEstimate known = knownNoise (noise, options);
   float& distance = options.rounds.sheet_distance;
   if (sheets.gap > 0)
-    distance = std::min (sheetLooks (known.sigma, known.spacing)[0].distance, share_of_gap * sheets.gap);
+    distance = std::min (sheetScales (known.sigma, known.spacing)[0].distance, share_of_gap * sheets.gap);
   else if (distance < 0)
     distance = options.rounds.fast ? std::numeric_limits<float>::infinity () : sheetSigmas (known);
   return known.sigma > 0;
@@ -92,11 +92,11 @@ setSheetDistance (const NoiseEstimate& noise, const SheetEstimate& sheets, Smoot
 
 /** The estimate where the sheets were separated, from those before and after; that is nothing where too little is left to tell. */
 NoiseEstimate
-chooseNoise (const NoiseEstimate& mixed, const NoiseEstimate& separated, const SheetEstimate& sheets)
+chooseNoise (const NoiseEstimate& before, const NoiseEstimate& separated, const SheetEstimate& sheets)
 {
-  const float of_rows = std::min (separated.sigma, 1.2f * mixed.sigma), of_sheets = sheet_noise_factor * sheets.sigma;
+  const float of_rows = std::min (separated.sigma, 1.2f * before.sigma), of_sheets = sheet_noise_factor * sheets.sigma;
   const float sigma = std::max (of_rows, of_sheets);
-  return {sigma > 0 ? sigma : mixed.sigma, mixed.spacing, separated.spacing > 0 ? separated.field : mixed.field};
+  return {sigma > 0 ? sigma : before.sigma, before.spacing, separated.spacing > 0 ? separated.field : before.field};
 }
 
 /** \return how large the noise of one sheet is assumed to be that is estimated to be so large */
@@ -137,7 +137,7 @@ class WholeCloud : public SmoothingPreparation
 public:
   /** \param[in,out] positions kept, as everything else, while this is used */
   WholeCloud (Positions& positions, const Vectors& normals, const Execution& execution, NeighborGraph::ConstPtr& graph)
-  : positions_ (positions), normals_ (normals), execution_ (execution), graph_ (graph), mixed_ (graph)
+  : positions_ (positions), normals_ (normals), execution_ (execution), graph_ (graph), unseparated_ (graph)
   {}
 
   /** \param[in] may_project false: points without a normal may not move, and opposite normals tell sheets apart
@@ -145,13 +145,13 @@ public:
   bool
   widen (bool may_project)
   {
-    widening_ = estimateWidening (*mixed_, positions_, execution_);
+    widening_ = estimateWidening (*unseparated_, positions_, execution_);
     if (!may_project)
       widening_.wide_noise.ratios = {};
-    if (const auto wide = widenNeighborhoods (*mixed_, positions_, widening_, execution_))
-      graph_ = mixed_ = wide;
-    else if (const auto projected = projectNodes (*mixed_, widening_, execution_, positions_))
-      graph_ = mixed_ = projected;
+    if (const auto wide = widenNeighborhoods (*unseparated_, positions_, widening_, execution_))
+      graph_ = unseparated_ = wide;
+    else if (const auto projected = projectNodes (*unseparated_, widening_, execution_, positions_))
+      graph_ = unseparated_ = projected;
     else
       widening_ = widening_.roundingAlone ();
     return widening_.isNeeded ();
@@ -159,17 +159,17 @@ public:
 
 protected:
   NoiseEstimate
-  mixedNoise () override
+  noiseBeforeSeparation () override
   {
     return noiseOf (sampleNoise (*graph_, positions_, execution_));
   }
 
-  SheetSight
-  sheets (const SheetLooks& looks) override
+  SheetDetection
+  sheets (const SheetScales& scales) override
   {
     const std::vector<std::uint32_t> sample = sampleNodes (positions_, sheet_sample_size, execution_);
-    const SheetSight seen = lookForSheets (*graph_, positions_, sample, looks, execution_);
-    return seen.sheets.gap < sheet_steps * largestStep () ? SheetSight () : seen;
+    const SheetDetection detected = detectSheets (*graph_, positions_, sample, scales, execution_);
+    return detected.estimate.gap < sheet_steps * largestStep () ? SheetDetection () : detected;
   }
 
   bool
@@ -178,8 +178,8 @@ protected:
     const SheetSeparationOptions by = separation (options, normals_);
     if (separationDepth (by) < 0)
       return false;
-    graph_ = separateSheets (mixed_, positions_, by, execution_);
-    return graph_ != mixed_ || mixed_->minRowLength () < noise_row_length;
+    graph_ = separateSheets (unseparated_, positions_, by, execution_);
+    return graph_ != unseparated_ || unseparated_->minRowLength () < noise_row_length;
   }
 
   NoiseEstimate
@@ -191,9 +191,9 @@ protected:
   }
 
   void
-  mix () override
+  undoSeparation () override
   {
-    graph_ = mixed_;
+    graph_ = unseparated_;
   }
 
   bool
@@ -227,8 +227,8 @@ private:
   const Vectors& normals_;
   const Execution& execution_;
   NeighborGraph::ConstPtr& graph_;
-  NeighborGraph::ConstPtr mixed_; // before sheets were separated
-  Widening widening_;             // of mixed_
+  NeighborGraph::ConstPtr unseparated_; // before sheets were separated
+  Widening widening_;                   // of unseparated_
 };
 } // namespace
 
@@ -239,11 +239,11 @@ SmoothingPreparation::separation (const SmoothingOptions& options, const Vectors
 }
 
 bool
-SmoothingPreparation::areLayers (const NoiseEstimate& mixed,
+SmoothingPreparation::areLayers (const NoiseEstimate& before,
                                  const NoiseEstimate& separated,
                                  const SheetEstimate& sheets)
 {
-  return !(sheets.gap > 0) && separated.spacing > 0 && separated.sigma < least_noise_left * mixed.sigma;
+  return !(sheets.gap > 0) && separated.spacing > 0 && separated.sigma < least_noise_left * before.sigma;
 }
 
 void
@@ -252,34 +252,34 @@ SmoothingPreparation::complete (SmoothingOptions& options)
   if (!options.robust)
     return;
   const bool needs_noise = needsNoise (options), needs_sheets = needsSheets (options);
-  NoiseEstimate noise = needs_noise ? mixedNoise () : NoiseEstimate ();
+  NoiseEstimate noise = needs_noise ? noiseBeforeSeparation () : NoiseEstimate ();
   const NoiseEstimate known = knownNoise (noise, options);
-  const SheetSight seen =
-      needs_sheets && known.sigma > 0 ? sheets (sheetLooks (known.sigma, known.spacing)) : SheetSight ();
-  const bool hides_noise = underestimatesWideNoise () && isOneSheet (seen, options);
+  const SheetDetection detected =
+      needs_sheets && known.sigma > 0 ? sheets (sheetScales (known.sigma, known.spacing)) : SheetDetection ();
+  const bool hides_noise = underestimatesWideNoise () && isOneSheet (detected, options);
   const auto assumed = [&] (NoiseEstimate estimated) {
     estimated.sigma = hides_noise ? assumedSigma (estimated) : estimated.sigma;
     return estimated;
   };
-  const bool moves = setSheetDistance (assumed (noise), seen.sheets, options);
+  const bool moves = setSheetDistance (assumed (noise), detected.estimate, options);
   const bool changes = moves && separate (options);
-  if (needs_noise && moves && (changes || seen.sheets.gap > 0))
-    noise = noiseOfSheets (noise, seen.sheets, needs_sheets, options);
+  if (needs_noise && moves && (changes || detected.estimate.gap > 0))
+    noise = noiseOfSheets (noise, detected.estimate, needs_sheets, options);
   setNoise (assumed (noise), options);
 }
 
 NoiseEstimate
-SmoothingPreparation::noiseOfSheets (const NoiseEstimate& mixed,
+SmoothingPreparation::noiseOfSheets (const NoiseEstimate& before,
                                      const SheetEstimate& sheets,
                                      bool may_be_layers,
                                      SmoothingOptions& options)
 {
   const NoiseEstimate separated = separatedNoise ();
-  if (!may_be_layers || !areLayers (mixed, separated, sheets))
-    return chooseNoise (mixed, separated, sheets);
-  mix ();
+  if (!may_be_layers || !areLayers (before, separated, sheets))
+    return chooseNoise (before, separated, sheets);
+  undoSeparation ();
   options.rounds.sheet_distance = std::numeric_limits<float>::infinity ();
-  return mixed;
+  return before;
 }
 
 void

@@ -44,7 +44,7 @@ public:
 
 protected:
   core::NoiseEstimate
-  mixedNoise () override
+  noiseBeforeSeparation () override
   {
     core::NeighborQuery query {core::noise_row_length};
     query.distinct = plan_.query.distinct;
@@ -60,8 +60,8 @@ protected:
     return noise;
   }
 
-  core::SheetSight
-  sheets (const core::SheetLooks& looks) override
+  core::SheetDetection
+  sheets (const core::SheetScales& scales) override
   {
     core::SheetSamples all;
     forEachTile (plan_.query, {core::sheet_sample_depth, -1}, [&] (Region& region, const Nodes& wanted) {
@@ -69,10 +69,10 @@ protected:
       const auto in_sample = core::nodesUpTo (sheet_limit_, region.nodes (), execution_);
       std::set_intersection (in_sample.begin (), in_sample.end (), wanted.begin (), wanted.end (),
                              std::back_inserter (sample));
-      for (std::size_t i = 0; i < looks.size (); ++i)
-        all[i].join (core::sampleSheets (*region.graph (), region.nodes (), sample, looks[i], execution_));
+      for (std::size_t i = 0; i < scales.size (); ++i)
+        all[i].join (core::sampleSheets (*region.graph (), region.nodes (), sample, scales[i], execution_));
     });
-    return core::seenSheets (all, looks);
+    return core::decideSheets (all, scales);
   }
 
   bool
@@ -90,7 +90,7 @@ protected:
   }
 
   void
-  mix () override
+  undoSeparation () override
   {
     plan_.separate = false;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/sheets/sheet_looks.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_detection.h>
 #include <pcl_normal_smoothing/core/sheets/sheet_separation.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 
@@ -42,17 +42,17 @@ public:
 
   /** Whether what was told apart is no sheets but the layers of coordinates in steps, as depth cameras give them: then all
     * lies on one sheet.
-    * \param[in] mixed, separated the estimates before and after; sigma 0: too little is left to tell */
+    * \param[in] before, separated the estimates before and after; sigma 0: too little is left to tell */
   static bool
-  areLayers (const NoiseEstimate& mixed, const NoiseEstimate& separated, const SheetEstimate& sheets);
+  areLayers (const NoiseEstimate& before, const NoiseEstimate& separated, const SheetEstimate& sheets);
 
 protected:
   /** With neighbourhoods as they were searched. */
   virtual NoiseEstimate
-  mixedNoise () = 0;
+  noiseBeforeSeparation () = 0;
 
-  virtual SheetSight
-  sheets (const SheetLooks& looks) = 0;
+  virtual SheetDetection
+  sheets (const SheetScales& scales) = 0;
 
   /** From now on neighbourhoods keep to one sheet. \return false: none changes, and noise by quadrics would be the same */
   virtual bool
@@ -64,7 +64,7 @@ protected:
 
   /** Takes separate back. */
   virtual void
-  mix () = 0;
+  undoSeparation () = 0;
 
   /** Neighbourhoods are as they were searched, and so show but a part of noise that is as wide as the points are apart. */
   virtual bool
@@ -75,10 +75,10 @@ protected:
 
 private:
   /** \return the noise now that neighbourhoods keep to one sheet
-    * \param[in] may_be_layers the sheets are estimated; what was told apart may be layers, which are mixed again
+    * \param[in] may_be_layers the sheets are estimated; what was told apart may be layers, which are joined again
     * \param[in,out] options the distance of the sheets becomes infinite then */
   NoiseEstimate
-  noiseOfSheets (const NoiseEstimate& mixed,
+  noiseOfSheets (const NoiseEstimate& before,
                  const SheetEstimate& sheets,
                  bool may_be_layers,
                  SmoothingOptions& options);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/noise/cloud_thickness.h>
-#include <pcl_normal_smoothing/core/noise/ways.h>
+#include <pcl_normal_smoothing/core/noise/differences.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 
@@ -22,29 +22,33 @@ constexpr std::size_t shares[] = {64, 32}; // of the sample, in a part
 constexpr std::size_t least_size = 1024;
 
 /** From a node to the nearest of the sample, in order. */
-Ways
-nearestWays (const Positions& nodes, std::uint32_t node, const std::vector<std::uint32_t>& sample, std::size_t count)
+Differences
+nearestDifferences (const Positions& nodes,
+                    std::uint32_t node,
+                    const std::vector<std::uint32_t>& sample,
+                    std::size_t count)
 {
-  Ways ways;
-  ways.reserve (sample.size ());
+  Differences differences;
+  differences.reserve (sample.size ());
   for (const std::uint32_t other : sample)
-    ways.push_back (nodes.difference (node, other).cast<double> ());
+    differences.push_back (nodes.difference (node, other).cast<double> ());
   const auto is_nearer = [] (const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const double a_length = a.squaredNorm (), b_length = b.squaredNorm ();
     return std::tie (a_length, a.x (), a.y (), a.z ()) < std::tie (b_length, b.x (), b.y (), b.z ());
   };
-  std::partial_sort (ways.begin (), ways.begin () + static_cast<std::ptrdiff_t> (count), ways.end (), is_nearer);
-  ways.resize (count);
-  ways.shrink_to_fit ();
-  return ways;
+  std::partial_sort (differences.begin (), differences.begin () + static_cast<std::ptrdiff_t> (count),
+                     differences.end (), is_nearer);
+  differences.resize (count);
+  differences.shrink_to_fit ();
+  return differences;
 }
 
 double
-thicknessOf (const Ways& ways, std::size_t count)
+thicknessOf (const Differences& differences, std::size_t count)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   const Eigen::Vector3d variances =
-      solver.computeDirect (covarianceOfNearest (ways, count), Eigen::EigenvaluesOnly).eigenvalues ();
+      solver.computeDirect (covarianceOfNearest (differences, count), Eigen::EigenvaluesOnly).eigenvalues ();
   return variances[1] > 0 ? variances[0] / variances[1] : 0;
 }
 } // namespace
@@ -58,13 +62,13 @@ cloudThickness (const Positions& nodes, const Execution& execution)
     return thickness;
   std::vector<std::uint32_t> middles = sampleNodes (nodes, part_count, execution);
   middles.resize (std::min (middles.size (), part_count)); // more where many points lie in one place
-  std::vector<Ways> parts;
+  std::vector<Differences> parts;
   for (const std::uint32_t node : middles)
-    parts.push_back (nearestWays (nodes, node, sample, sample.size () / shares[1]));
+    parts.push_back (nearestDifferences (nodes, node, sample, sample.size () / shares[1]));
   for (const std::size_t share : shares) {
     std::vector<float> of_parts;
-    for (const Ways& ways : parts)
-      of_parts.push_back (static_cast<float> (thicknessOf (ways, sample.size () / share)));
+    for (const Differences& differences : parts)
+      of_parts.push_back (static_cast<float> (thicknessOf (differences, sample.size () / share)));
     thickness = std::min<double> (thickness, quantile (of_parts, .5));
   }
   return thickness;

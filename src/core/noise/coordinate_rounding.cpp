@@ -50,9 +50,9 @@ bool
 showSteps (const ThinnedSample& sample)
 {
   double off = 0, stepped = 0;
-  for (const Ways& ways : sample.waysAfter (0))
-    if (const auto normal = planeOf (ways); normal && normal->cwiseAbs ().maxCoeff () > cosine_of_axis) {
-      const LayerSurrounding surrounding = layerSurrounding (ways, *normal);
+  for (const Differences& differences : sample.differencesAfter (0))
+    if (const auto normal = planeOf (differences); normal && normal->cwiseAbs ().maxCoeff () > cosine_of_axis) {
+      const LayerSurrounding surrounding = layerSurrounding (differences, *normal);
       off += surrounding.is_off ? 1 : 0;
       stepped += surrounding.step > 0 ? 1 : 0;
     }

@@ -51,10 +51,10 @@ commonNormal (const std::vector<Eigen::Vector3d>& normals)
 using Planes = std::vector<std::optional<Eigen::Vector3d>>;
 
 Planes
-planesOf (const std::vector<Ways>& ways)
+planesOf (const std::vector<Differences>& differences)
 {
   Planes planes;
-  std::transform (ways.begin (), ways.end (), std::back_inserter (planes), planeOf);
+  std::transform (differences.begin (), differences.end (), std::back_inserter (planes), planeOf);
   return planes;
 }
 
@@ -82,9 +82,9 @@ mayHaveLayers (const NeighborGraph& graph, const Positions& nodes, const Executi
 {
   if (graph.minRowLength () < nearest_count)
     return false;
-  const std::vector<Ways> sample = quickSample (graph, nodes, execution);
-  const auto flat =
-      std::count_if (sample.begin (), sample.end (), [] (const Ways& ways) { return planeOf (ways).has_value (); });
+  const std::vector<Differences> sample = quickSample (graph, nodes, execution);
+  const auto flat = std::count_if (sample.begin (), sample.end (),
+                                   [] (const Differences& differences) { return planeOf (differences).has_value (); });
   return static_cast<double> (flat) > min_share_flat * static_cast<double> (sample.size ());
 }
 
@@ -101,14 +101,14 @@ public:
     bool have_layers = false;
     float spacing = 0;
     for (int halvings = 0; halvings < sample_.levelCount (); ++halvings) {
-      const std::vector<Ways> ways = sample_.waysAfter (halvings);
-      const Planes planes = planesOf (ways);
+      const std::vector<Differences> differences = sample_.differencesAfter (halvings);
+      const Planes planes = planesOf (differences);
       for (std::size_t s = 0; s < planes.size (); ++s)
         if (!planes[s])
           halvings_[s] = std::min (halvings_[s], static_cast<float> (halvings));
-      have_layers |= showLayers (ways, planes);
+      have_layers |= showLayers (differences, planes);
       if (halvings == 0)
-        spacing = medianReach (ways);
+        spacing = medianReach (differences);
     }
     std::vector<LocalValue> steps = sample_.atPlaces (steps_);
     steps.erase (std::remove_if (steps.begin (), steps.end (), [] (const LocalValue& step) { return step.value == 0; }),
@@ -122,7 +122,7 @@ public:
 private:
   /** Notes the steps of the nodes where none was noted yet. */
   bool
-  showLayers (const std::vector<Ways>& ways, const Planes& planes)
+  showLayers (const std::vector<Differences>& differences, const Planes& planes)
   {
     std::vector<Eigen::Vector3d> normals;
     for (const auto& plane : planes)
@@ -132,7 +132,7 @@ private:
     double parallel = 0, off = 0, stepped = 0;
     for (std::size_t s = 0; s < planes.size (); ++s)
       if (planes[s] && areParallel (*planes[s], common)) {
-        const LayerSurrounding surrounding = layerSurrounding (ways[s], common);
+        const LayerSurrounding surrounding = layerSurrounding (differences[s], common);
         parallel += 1;
         off += surrounding.is_off ? 1 : 0;
         stepped += surrounding.step > 0 ? 1 : 0;

@@ -72,29 +72,30 @@ private:
 } // namespace
 
 std::optional<Eigen::Vector3d>
-planeOf (const Ways& ways)
+planeOf (const Differences& differences)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect (covarianceOfNearest (ways));
-  const double flat = flat_height * ways[nearest_count - 1].norm ();
+  solver.computeDirect (covarianceOfNearest (differences));
+  const double flat = flat_height * differences[nearest_count - 1].norm ();
   if (!(solver.eigenvalues ()[1] > flat * flat)) // copies, or a line
     return {};
   const Eigen::Vector3d normal = solver.eigenvectors ().col (0);
-  const Eigen::Vector3d mean = meanOfNearest (ways);
-  const bool is_plane = std::all_of (ways.begin (), ways.begin () + nearest_count,
-                                     [&] (const auto& way) { return std::abs (normal.dot (way - mean)) < flat; });
+  const Eigen::Vector3d mean = meanOfNearest (differences);
+  const bool is_plane =
+      std::all_of (differences.begin (), differences.begin () + nearest_count,
+                   [&] (const auto& difference) { return std::abs (normal.dot (difference - mean)) < flat; });
   return is_plane ? std::make_optional (normal) : std::nullopt;
 }
 
 LayerSurrounding
-layerSurrounding (const Ways& ways, const Eigen::Vector3d& normal)
+layerSurrounding (const Differences& differences, const Eigen::Vector3d& normal)
 {
-  const double off = off_height * ways[nearest_count - 1].norm ();
+  const double off = off_height * differences[nearest_count - 1].norm ();
   Part above, below, own;
-  for (const Eigen::Vector3d& way : ways) {
-    const double height = normal.dot (way);
+  for (const Eigen::Vector3d& difference : differences) {
+    const double height = normal.dot (difference);
     Part& part = std::abs (height) < off ? own : height > 0 ? above : below;
-    part.add (way - height * normal, std::abs (height));
+    part.add (difference - height * normal, std::abs (height));
   }
   if (above.count () + below.count () < min_neighbors_off)
     return {false, 0};

@@ -27,10 +27,10 @@ constexpr double max_cosine_to_surface = .7;
 /** How the nearest lie about a node. */
 struct Spread
 {
-  explicit Spread (const Ways& ways)
+  explicit Spread (const Differences& differences)
   {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect (covarianceOfNearest (ways));
+    solver.computeDirect (covarianceOfNearest (differences));
     out_of_plane = solver.eigenvalues ()[0];
     across = solver.eigenvalues ()[1];
     along = solver.eigenvalues ()[2];
@@ -61,8 +61,8 @@ mayHaveLines (const NeighborGraph& graph, const Positions& nodes, const Executio
   if (graph.minRowLength () < nearest_count)
     return false;
   std::size_t lines = 0, planes = 0, all = 0;
-  for (const Ways& ways : quickSample (graph, nodes, execution)) {
-    const Spread spread (ways);
+  for (const Differences& differences : quickSample (graph, nodes, execution)) {
+    const Spread spread (differences);
     lines += spread.isLine (surely_line) ? 1 : 0;
     planes += spread.isFlat (surely_flat) ? 1 : 0;
     ++all;
@@ -137,11 +137,11 @@ estimateLines (const NeighborGraph& graph, const Positions& nodes, const Executi
   std::vector<LineEnd> ends (sample.size ());
   float reach = 0;
   for (int halvings = 0; halvings < sample.levelCount (); ++halvings) {
-    const std::vector<Ways> ways = sample.waysAfter (halvings);
-    for (std::size_t s = 0; s < ways.size (); ++s)
-      ends[s].see (Spread (ways[s]), halvings);
+    const std::vector<Differences> differences = sample.differencesAfter (halvings);
+    for (std::size_t s = 0; s < differences.size (); ++s)
+      ends[s].see (Spread (differences[s]), halvings);
     if (halvings == 0)
-      reach = medianReach (ways);
+      reach = medianReach (differences);
   }
   std::vector<float> halvings;
   for (const LineEnd& end : ends)

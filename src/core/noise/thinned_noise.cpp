@@ -22,10 +22,10 @@ constexpr double min_share_turned = .06;
 constexpr double max_cosine_turned = .7;
 
 Eigen::Vector3d
-planeNormal (const Ways& ways, std::size_t count)
+planeNormal (const Differences& differences, std::size_t count)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  return solver.computeDirect (covarianceOfNearest (ways, count)).eigenvectors ().col (0);
+  return solver.computeDirect (covarianceOfNearest (differences, count)).eigenvectors ().col (0);
 }
 
 double
@@ -88,8 +88,9 @@ bool
 ThinnedNoiseOfCloud::hasTurningPlanes () const
 {
   std::size_t turned = 0, all = 0;
-  for (const Ways& ways : quickSample (graph_, nodes_, execution_)) {
-    const double cosine = planeNormal (ways, noise_row_length / 2).dot (planeNormal (ways, noise_row_length));
+  for (const Differences& differences : quickSample (graph_, nodes_, execution_)) {
+    const double cosine =
+        planeNormal (differences, noise_row_length / 2).dot (planeNormal (differences, noise_row_length));
     turned += std::abs (cosine) < max_cosine_turned ? 1 : 0;
     ++all;
   }

@@ -16,23 +16,23 @@ constexpr std::size_t sample_size = 4096;
 constexpr std::uint32_t row_length = 32;
 constexpr std::size_t least_size = 1000; // of the thinnest cloud
 
-Ways
-waysTo (const Positions& nodes, std::uint32_t node, const Row& row)
+Differences
+differencesTo (const Positions& nodes, std::uint32_t node, const Row& row)
 {
-  Ways ways;
+  Differences differences;
   for (std::size_t j = 0; j < row.size (); ++j)
-    ways.push_back (nodes.difference (node, row[j]).cast<double> ());
-  return ways;
+    differences.push_back (nodes.difference (node, row[j]).cast<double> ());
+  return differences;
 }
 } // namespace
 
-std::vector<Ways>
+std::vector<Differences>
 quickSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
-  std::vector<Ways> ways;
+  std::vector<Differences> differences;
   for (const std::uint32_t node : sampleNodes (nodes, quick_sample_size, execution))
-    ways.push_back (waysTo (nodes, node, graph.row (node)));
-  return ways;
+    differences.push_back (differencesTo (nodes, node, graph.row (node)));
+  return differences;
 }
 
 ThinnedSample::ThinnedSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
@@ -43,11 +43,11 @@ ThinnedSample::ThinnedSample (const NeighborGraph& graph, const Positions& nodes
 , level_count_ (ThinnedCloud::mostHalvings (nodes.size (), least_size) + 1)
 {}
 
-std::vector<Ways>
-ThinnedSample::waysAfter (int halvings) const
+std::vector<Differences>
+ThinnedSample::differencesAfter (int halvings) const
 {
   const ThinnedCloud thinned (graph_, nodes_, halvings, ThinnedCloud::Parts::ONE, execution_);
-  std::vector<Ways> ways (size ());
+  std::vector<Differences> differences (size ());
   parallelFor (
       size (), execution_,
       [&] (std::size_t begin, std::size_t end) {
@@ -55,11 +55,11 @@ ThinnedSample::waysAfter (int halvings) const
         std::array<std::uint32_t, row_length> row;
         for (std::size_t s = begin; s < end; ++s) {
           thinned.row (nodes_of_sample_[s], row.data (), row_length, scratch);
-          ways[s] = waysTo (nodes_, nodes_of_sample_[s], Row (row.data (), row_length, 1));
+          differences[s] = differencesTo (nodes_, nodes_of_sample_[s], Row (row.data (), row_length, 1));
         }
       },
       64);
-  return ways;
+  return differences;
 }
 
 std::vector<LocalValue>

@@ -3,7 +3,7 @@
 #include "wide_noise_of_part.h"
 
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_looks.h>
+#include <pcl_normal_smoothing/core/sheets/sheet_detection.h>
 #include <pcl_normal_smoothing/core/sheets/sheet_test.h>
 
 #include <algorithm>
@@ -92,9 +92,9 @@ mayBeSheets (const Positions& cloud, const NoiseEstimate& noise, const Execution
   const auto graph = NeighborGraph::buildAround (cloud, start, sheet_sample_depth, {sheet_row_length}, execution);
   std::vector<std::uint32_t> sample (start.size ());
   std::iota (sample.begin (), sample.end (), 0);
-  return lookForSheets (*graph, gather (cloud, graph->order ()), sample, sheetLooks (noise.sigma, noise.spacing),
-                        execution)
-      .may_be;
+  return detectSheets (*graph, gather (cloud, graph->order ()), sample, sheetScales (noise.sigma, noise.spacing),
+                       execution)
+      .may_exist;
 }
 
 /** See WideNoise::excess. */

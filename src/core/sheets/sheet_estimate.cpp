@@ -78,19 +78,19 @@ SheetSample
 sampleSheets (const NeighborGraph& graph,
               const Positions& positions,
               const std::vector<std::uint32_t>& sample,
-              const SheetLook& look,
+              const SheetScale& scale,
               const Execution& execution)
 {
-  const std::vector<std::uint32_t> around = nodesInRows (graph, sample, look.row_length);
-  const Vectors normals = electNormals (graph, positions, look, &around, execution);
-  const SheetTest test (positions, normals, look.distance, false);
+  const std::vector<std::uint32_t> around = nodesInRows (graph, sample, scale.row_length);
+  const Vectors normals = electNormals (graph, positions, scale, &around, execution);
+  const SheetTest test (positions, normals, scale.distance, false);
   SheetSample found;
   found.nodes = sample.size ();
   for (const std::uint32_t node : sample) {
     const Row row = graph.row (node);
     std::vector<float> heights;
     OtherNeighbors others;
-    for (std::size_t j = 1; j < std::min (row.size (), look.row_length); ++j)
+    for (std::size_t j = 1; j < std::min (row.size (), scale.row_length); ++j)
       if (test.areParallel (node, row[j])) {
         const float height = test.height (node, row[j]);
         if (test.isOther (node, row[j], evidence_to_change))

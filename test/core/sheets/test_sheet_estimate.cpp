@@ -121,9 +121,9 @@ TEST (SheetEstimateTest, PartsMakeTheWhole)
   std::vector<std::uint32_t> parts[2];
   for (const std::uint32_t node : sampleNodes (cloud.nodes, sheet_sample_size, execution))
     parts[node % 3 == 0].push_back (node);
-  const SheetLook look {distance, sheet_row_length};
-  SheetSample joined = sampleSheets (*cloud.graph, cloud.nodes, parts[0], look, execution);
-  joined.join (sampleSheets (*cloud.graph, cloud.nodes, parts[1], look, execution));
+  const SheetScale scale {distance, sheet_row_length};
+  SheetSample joined = sampleSheets (*cloud.graph, cloud.nodes, parts[0], scale, execution);
+  joined.join (sampleSheets (*cloud.graph, cloud.nodes, parts[1], scale, execution));
   const SheetEstimate expected = estimateSheets (sampleOf (cloud, distance, 1), distance);
   const SheetEstimate actual = estimateSheets (joined, distance);
   EXPECT_GT (expected.gap, 0);

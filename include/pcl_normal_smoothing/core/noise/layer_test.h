@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/noise/ways.h>
+#include <pcl_normal_smoothing/core/noise/differences.h>
 
 #include <optional>
 
@@ -9,10 +9,10 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** \param[in] ways at least nearest_count
+/** \param[in] differences at least nearest_count
   * \return the normal of the plane in which so many nearest lie exactly, where they do and span one */
 std::optional<Eigen::Vector3d>
-planeOf (const Ways& ways);
+planeOf (const Differences& differences);
 
 /** What is around a node that lies in a plane with its nearest. */
 struct LayerSurrounding
@@ -24,9 +24,9 @@ struct LayerSurrounding
   double step;
 };
 
-/** \param[in] ways at least nearest_count
+/** \param[in] differences at least nearest_count
   * \param[in] normal of the plane */
 LayerSurrounding
-layerSurrounding (const Ways& ways, const Eigen::Vector3d& normal);
+layerSurrounding (const Differences& differences, const Eigen::Vector3d& normal);
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/noise/differences.h>
 #include <pcl_normal_smoothing/core/noise/regional_field.h>
-#include <pcl_normal_smoothing/core/noise/ways.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
 namespace pcl_normal_smoothing
@@ -10,7 +10,7 @@ namespace pcl_normal_smoothing
 namespace core
 {
 /** The neighbours of about 512 nodes, as the graph has them: a first look, which is cheap. */
-std::vector<Ways>
+std::vector<Differences>
 quickSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
 /** What neighbourhoods as they are, and wider ones, show at a sample of a cloud: the nearest in all of it, in half of it, a quarter ... */
@@ -35,8 +35,8 @@ public:
   }
 
   /** From the points of the sample to the 32 nearest where so many halvings thin the cloud; filled up with zeros. */
-  std::vector<Ways>
-  waysAfter (int halvings) const;
+  std::vector<Differences>
+  differencesAfter (int halvings) const;
 
   /** \param[in] values one for every point of the sample */
   std::vector<LocalValue>

@@ -7,8 +7,8 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** How sheets are looked for. */
-struct SheetLook
+/** At which scale sheets are looked for. */
+struct SheetScale
 {
   /** That a neighbour on another sheet exceeds. */
   float distance;
@@ -50,7 +50,7 @@ SheetSample
 sampleSheets (const NeighborGraph& graph,
               const Positions& positions,
               const std::vector<std::uint32_t>& sample,
-              const SheetLook& look,
+              const SheetScale& scale,
               const Execution& execution);
 
 /** The normals of the neighbours are elected among those of theirs, which are estimated from their rows. */

@@ -19,7 +19,7 @@ nodesInRows (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes
 Vectors
 electNormals (const NeighborGraph& graph,
               const Positions& positions,
-              const SheetLook& by,
+              const SheetScale& by,
               const std::vector<std::uint32_t>* nodes,
               const Execution& execution);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/noise/ways.h>
+#include <pcl_normal_smoothing/core/noise/differences.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 
 namespace pcl_normal_smoothing
@@ -7,29 +7,29 @@ namespace pcl_normal_smoothing
 namespace core
 {
 Eigen::Vector3d
-meanOfNearest (const Ways& ways, std::size_t count)
+meanOfNearest (const Differences& differences, std::size_t count)
 {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero ();
   for (std::size_t j = 0; j < count; ++j)
-    mean += ways[j] / static_cast<double> (count);
+    mean += differences[j] / static_cast<double> (count);
   return mean;
 }
 
 Eigen::Matrix3d
-covarianceOfNearest (const Ways& ways, std::size_t count)
+covarianceOfNearest (const Differences& differences, std::size_t count)
 {
-  const Eigen::Vector3d mean = meanOfNearest (ways, count);
+  const Eigen::Vector3d mean = meanOfNearest (differences, count);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero ();
   for (std::size_t j = 0; j < count; ++j)
-    covariance += (ways[j] - mean) * (ways[j] - mean).transpose () / static_cast<double> (count);
+    covariance += (differences[j] - mean) * (differences[j] - mean).transpose () / static_cast<double> (count);
   return covariance;
 }
 
 float
-medianReach (const std::vector<Ways>& ways)
+medianReach (const std::vector<Differences>& differences)
 {
   std::vector<float> reaches;
-  for (const Ways& of_node : ways)
+  for (const Differences& of_node : differences)
     reaches.push_back (static_cast<float> (of_node[nearest_count - 1].norm ()));
   return quantile (reaches, .5);
 }

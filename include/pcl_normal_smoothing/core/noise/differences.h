@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+/** p_j - p_i from a node i to its nearest neighbours j, itself first. */
+using Differences = std::vector<Eigen::Vector3d>;
+
+/** The node and so many of its nearest tell whether it lies in a plane, or on a line. */
+constexpr std::size_t nearest_count = 8;
+
+/** Of the \a count nearest. \param[in] differences at least as many */
+Eigen::Vector3d
+meanOfNearest (const Differences& differences, std::size_t count = nearest_count);
+
+/** About their mean. \param[in] differences at least as many */
+Eigen::Matrix3d
+covarianceOfNearest (const Differences& differences, std::size_t count = nearest_count);
+
+/** The median distance of the last of the nearest_count nearest; 0 of none. */
+float
+medianReach (const std::vector<Differences>& differences);
+} // namespace core
+} // namespace pcl_normal_smoothing
