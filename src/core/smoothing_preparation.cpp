@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ramp.h"
+
 #include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>
@@ -103,9 +105,8 @@ chooseNoise (const NoiseEstimate& before, const NoiseEstimate& separated, const 
 float
 assumedSigma (const NoiseEstimate& estimated)
 {
-  const float above = estimated.spacing > 0 ? estimated.sigma / estimated.spacing - perhaps_wide : 0;
-  return estimated.sigma *
-         (1 + (underestimated_factor - 1) * std::clamp (above / (as_if_wide - perhaps_wide), 0.0f, 1.0f));
+  const float ratio = estimated.spacing > 0 ? estimated.sigma / estimated.spacing : 0;
+  return estimated.sigma * (1 + (underestimated_factor - 1) * ramp (ratio, perhaps_wide, as_if_wide - perhaps_wide));
 }
 
 /** Takes the noise to be larger where neighbourhoods grow with it. */

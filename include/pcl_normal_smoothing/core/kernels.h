@@ -21,8 +21,8 @@ struct BlockRows
 struct NodeArrays
 {
   const float* base;
-  const float* offset; // null where all are zero
-  const float* normals;
+  const float* offset;  // null where all are zero
+  const float* normals; // null for kernels that read none
 };
 
 /** Computes a number of every node. */

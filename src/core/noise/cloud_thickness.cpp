@@ -4,8 +4,6 @@
 #include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <limits>
 #include <tuple>
@@ -46,9 +44,7 @@ nearestDifferences (const Positions& nodes,
 double
 thicknessOf (const Differences& differences, std::size_t count)
 {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  const Eigen::Vector3d variances =
-      solver.computeDirect (covarianceOfNearest (differences, count), Eigen::EigenvaluesOnly).eigenvalues ();
+  const Eigen::Vector3d variances = axesOfNearest (differences, count).variances;
   return variances[1] > 0 ? variances[0] / variances[1] : 0;
 }
 } // namespace

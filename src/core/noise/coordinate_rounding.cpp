@@ -20,8 +20,6 @@ constexpr double max_rounding = .02;
 constexpr float noise_of_rounding = .4f, no_noise = .02f;
 constexpr std::size_t step_sample_size = 512;
 constexpr double cosine_of_axis = 1 - 1e-5;
-// Of the points that lie in a plane but have others off it: see the layer that a step makes. As for depth cameras.
-constexpr double min_share_stepped = .1, min_count_off = 32;
 
 /** Of ascending numbers; infinity where they are all the same, 0 where they have none. */
 double
@@ -46,6 +44,8 @@ stepOf (const std::vector<double>& ascending)
   }
   return step;
 }
+
+/** Whether steps make layers of the cloud, as for depth cameras. */
 bool
 showSteps (const ThinnedSample& sample)
 {

@@ -2,6 +2,8 @@
 #include <pcl_normal_smoothing/core/noise/differences.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 
+#include <Eigen/Eigenvalues>
+
 namespace pcl_normal_smoothing
 {
 namespace core
@@ -15,14 +17,16 @@ meanOfNearest (const Differences& differences, std::size_t count)
   return mean;
 }
 
-Eigen::Matrix3d
-covarianceOfNearest (const Differences& differences, std::size_t count)
+PrincipalAxes
+axesOfNearest (const Differences& differences, std::size_t count)
 {
   const Eigen::Vector3d mean = meanOfNearest (differences, count);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero ();
   for (std::size_t j = 0; j < count; ++j)
     covariance += (differences[j] - mean) * (differences[j] - mean).transpose () / static_cast<double> (count);
-  return covariance;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect (covariance);
+  return {solver.eigenvalues (), solver.eigenvectors ().col (0)};
 }
 
 float

@@ -19,10 +19,7 @@ constexpr double cosine_of_parallel = 1 - 1e-5;
 constexpr double min_share_flat = .1;
 constexpr double min_share_parallel = .5; // of those that are flat
 constexpr double min_share_off = .1;      // likewise: have points near that are off their plane
-constexpr double min_count_off = 32;
-// Of these: have another layer near. Clean surfaces come to .03, depth cameras to .13 and more.
-constexpr double min_share_stepped = .1;
-constexpr float max_deviation = .4f; // of half of the steps, as a logarithm: terraces differ more
+constexpr float max_deviation = .4f;      // of half of the steps, as a logarithm: terraces differ more
 
 bool
 areParallel (const Eigen::Vector3d& a, const Eigen::Vector3d& b)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/noise/layer_test.h>
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,17 +72,15 @@ private:
 std::optional<Eigen::Vector3d>
 planeOf (const Differences& differences)
 {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect (covarianceOfNearest (differences));
+  const PrincipalAxes axes = axesOfNearest (differences);
   const double flat = flat_height * differences[nearest_count - 1].norm ();
-  if (!(solver.eigenvalues ()[1] > flat * flat)) // copies, or a line
+  if (!(axes.variances[1] > flat * flat)) // copies, or a line
     return {};
-  const Eigen::Vector3d normal = solver.eigenvectors ().col (0);
   const Eigen::Vector3d mean = meanOfNearest (differences);
   const bool is_plane =
       std::all_of (differences.begin (), differences.begin () + nearest_count,
-                   [&] (const auto& difference) { return std::abs (normal.dot (difference - mean)) < flat; });
-  return is_plane ? std::make_optional (normal) : std::nullopt;
+                   [&] (const auto& difference) { return std::abs (axes.normal.dot (difference - mean)) < flat; });
+  return is_plane ? std::make_optional (axes.normal) : std::nullopt;
 }
 
 LayerSurrounding

@@ -2,8 +2,6 @@
 #include <pcl_normal_smoothing/core/noise/line_estimate.h>
 #include <pcl_normal_smoothing/core/noise/thinned_sample.h>
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 
@@ -27,31 +25,21 @@ constexpr double max_cosine_to_surface = .7;
 /** How the nearest lie about a node. */
 struct Spread
 {
-  explicit Spread (const Differences& differences)
-  {
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect (covarianceOfNearest (differences));
-    out_of_plane = solver.eigenvalues ()[0];
-    across = solver.eigenvalues ()[1];
-    along = solver.eigenvalues ()[2];
-    normal = solver.eigenvectors ().col (0);
-  }
+  explicit Spread (const Differences& differences) : axes (axesOfNearest (differences)) {}
 
   bool
   isLine (double share) const
   {
-    return across < share * along;
+    return axes.variances[1] < share * axes.variances[2]; // across, along
   }
 
   bool
   isFlat (double share) const
   {
-    return out_of_plane < share * across;
+    return axes.variances[0] < share * axes.variances[1]; // out of the plane, across
   }
 
-  /** Variances, ascending. */
-  double out_of_plane, across, along;
-  Eigen::Vector3d normal;
+  PrincipalAxes axes;
 };
 
 /** A first look, for clouds with noise. */
@@ -105,7 +93,7 @@ private:
   beginFlat (const Spread& spread)
   {
     is_decided_ = !spread.isFlat (surely_flat);
-    normal_ = spread.normal;
+    normal_ = spread.axes.normal;
   }
 
   /** \return whether it does; so many halvings then show the surface, unless they show the same as before */
@@ -114,7 +102,7 @@ private:
   {
     if (spread.isFlat (perhaps_flat))
       return false;
-    if (std::abs (spread.normal.dot (normal_)) < max_cosine_to_surface)
+    if (std::abs (spread.axes.normal.dot (normal_)) < max_cosine_to_surface)
       halvings_ = halvings;
     return true;
   }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../ramp.h"
+
 #include <pcl_normal_smoothing/core/noise/noise_field.h>
 #include <pcl_normal_smoothing/core/noise/noise_sample.h>
+#include <pcl_normal_smoothing/core/noise/residual_quantiles.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 
 #include <algorithm>
@@ -31,14 +34,14 @@ constexpr double spread_to_trust = .4;
 struct LowerQuantile
 {
   double level;
-  /** The upper quartile over it, of chi-square by 6 degrees of freedom: what twelve points leave of one noise. */
+  /** The upper quartile over it, of what twelve points leave of one noise: see quartile_ratio_of_12. */
   float of_noise;
   /** More than that, as a ratio of sigmas, is detail's. Noise of cameras and scanners, edges among it: 1.16 and 1.35. */
   double of_detail;
 };
 
 // Relief that is denser spoils the lower quartile too.
-constexpr LowerQuantile lower_quantiles[] = {{.25, 2.27f, 1.2}, {.1, 3.557f, 1.4}};
+constexpr LowerQuantile lower_quantiles[] = {{.25, static_cast<float> (quartile_ratio_of_12), 1.2}, {.1, 3.557f, 1.4}};
 // Regions of smaller clouds are so large a part of them that noise and curvature vary inside; a hash does not choose a sample to the point.
 constexpr std::size_t least_to_see_detail = noise_sample_size * 3 / 4;
 
@@ -48,7 +51,7 @@ trustIn (const RegionalField& deviations, double ratio)
 {
   const std::vector<float> factors = deviations.values ();
   const double high = quantile (factors, .9), low = quantile (factors, .1);
-  return std::clamp ((high - spreadByChance (ratio) * low) / (spread_to_trust * low + 1e-30), 0.0, 1.0);
+  return ramp (high, spreadByChance (ratio) * low, spread_to_trust * low + 1e-30);
 }
 } // namespace
 
@@ -78,7 +81,7 @@ certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing)
     std::vector<float> spreads;
     for (std::size_t region = 0; region < upper.size (); ++region)
       spreads.push_back (upper[region] > 0 ? std::sqrt (upper[region] / (by.of_noise * lower[region])) : 1);
-    certainty = std::max (certainty, std::clamp ((quantile (spreads, .5) - by.of_detail) / .1, 0.0, 1.0));
+    certainty = std::max (certainty, ramp<double> (quantile (spreads, .5), by.of_detail, .1));
   }
   return certainty;
 }

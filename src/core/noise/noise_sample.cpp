@@ -110,8 +110,7 @@ public:
   variances (std::size_t count) const
   {
     std::array<float, lanes> of_lanes;
-    kernels ().residual_variances ({nodeArrays (positions_, positions_.base), of_lanes.data ()},
-                                   {neighbors_.data (), count});
+    kernels ().residual_variances ({nodeArrays (positions_), of_lanes.data ()}, {neighbors_.data (), count});
     return of_lanes;
   }
 

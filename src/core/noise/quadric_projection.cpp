@@ -88,7 +88,7 @@ projectOnce (const NeighborGraph& graph,
   const BlocksInCloud blocks (graph, nodes, execution);
   const auto countOf = [&] (std::uint32_t node) { return neighborCount (left * ratios.valueAt (nodes.base[node], 0)); };
   Vectors projected (nodes.size ());
-  const QuadricProjection projection {nodeArrays (nodes, nodes.base), projected.data ()->data ()};
+  const QuadricProjection projection {nodeArrays (nodes), projected.data ()->data ()};
   parallelFor (graph.blockCount (), execution, [&] (std::size_t begin, std::size_t end) {
     BlocksInCloud::Scratch scratch;
     for (std::size_t block = begin; block < end; ++block)

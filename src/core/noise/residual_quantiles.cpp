@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../ramp.h"
+
 #include <pcl_normal_smoothing/core/noise/residual_quantiles.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 
@@ -65,7 +67,7 @@ sigmaInRelief (const ResidualVariances& variances, double sigma)
 {
   const double least = varianceBy (lowest, variances, of_12);
   const bool is_one_noise = ratioOfSigmas (varianceBy (bottom, variances, of_12), least) > .85;
-  const double certainty = is_one_noise ? std::clamp ((growthOf (lower, variances) - 1.2) / .1, 0.0, 1.0) : 0;
+  const double certainty = is_one_noise ? ramp (growthOf (lower, variances), 1.2, .1) : 0;
   return sigma - certainty * std::max (0.0, sigma - 1.15 * std::sqrt (least));
 }
 
@@ -106,9 +108,7 @@ certaintyOfSlant (const ResidualVariances& variances)
   const auto between = [&] (const Quantile& a, const Quantile& b, std::size_t size) {
     return ratioOfSigmas (varianceBy (a, variances, size), varianceBy (b, variances, size));
   };
-  const auto below = [] (double ratio, double most, double width) {
-    return std::clamp ((most - ratio) / width, 0.0, 1.0);
-  };
+  const auto below = [] (double ratio, double most, double width) { return ramp (most, ratio, width); };
   return below (between (lower, upper, of_12), .92, .05) * below (between (lowest, lower, of_8), .96, .08) *
          below (growthOf (highest, variances), 1.22, .08);
 }

@@ -6,8 +6,6 @@
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 #include <pcl_normal_smoothing/core/search/thinned_cloud.h>
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -20,13 +18,6 @@ namespace
 {
 constexpr double min_share_turned = .06;
 constexpr double max_cosine_turned = .7;
-
-Eigen::Vector3d
-planeNormal (const Differences& differences, std::size_t count)
-{
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  return solver.computeDirect (covarianceOfNearest (differences, count)).eigenvectors ().col (0);
-}
 
 double
 upperResidual (const NoiseSample& sample)
@@ -89,8 +80,8 @@ ThinnedNoiseOfCloud::hasTurningPlanes () const
 {
   std::size_t turned = 0, all = 0;
   for (const Differences& differences : quickSample (graph_, nodes_, execution_)) {
-    const double cosine =
-        planeNormal (differences, noise_row_length / 2).dot (planeNormal (differences, noise_row_length));
+    const PrincipalAxes half = axesOfNearest (differences, noise_row_length / 2);
+    const double cosine = half.normal.dot (axesOfNearest (differences, noise_row_length).normal);
     turned += std::abs (cosine) < max_cosine_turned ? 1 : 0;
     ++all;
   }

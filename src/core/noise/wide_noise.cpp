@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../ramp.h"
 #include "noise_reach.h"
 #include "wide_noise_of_part.h"
 
@@ -101,8 +102,7 @@ mayBeSheets (const Positions& cloud, const NoiseEstimate& noise, const Execution
 float
 excessOf (int halvings_without_loss, double ratio)
 {
-  const float hidden = static_cast<float> (
-      std::clamp ((ratio - least_excess_ratio) / (most_excess_ratio - least_excess_ratio), 0.0, 1.0));
+  const float hidden = static_cast<float> (ramp (ratio, least_excess_ratio, most_excess_ratio - least_excess_ratio));
   return halvings_without_loss > 0 ? WideNoise::most_excess
                                    : least_excess + (WideNoise::most_excess - least_excess) * hidden;
 }

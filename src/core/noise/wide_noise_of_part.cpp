@@ -3,6 +3,7 @@
 
 #include "noise_reach.h"
 
+#include <pcl_normal_smoothing/core/noise/residual_quantiles.h>
 #include <pcl_normal_smoothing/core/quantile.h>
 
 #include <algorithm>
@@ -66,12 +67,11 @@ growthOfNoise (ThinnedNoise& cloud)
 double
 spreadOf (const NoiseSample& sample)
 {
-  constexpr double of_noise = 2.27; // of chi-square by 6 degrees of freedom, as twelve points have
   std::vector<float> variances;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes)
-    if (std::isfinite (residuals.variances[1]) && residuals.distance > 0)
-      variances.push_back (residuals.variances[1] / (residuals.distance * residuals.distance));
-  return std::sqrt (quantile (variances, .75) / (of_noise * quantile (variances, .25)));
+    if (std::isfinite (residuals.variances[of_12]) && residuals.distance > 0)
+      variances.push_back (residuals.variances[of_12] / (residuals.distance * residuals.distance));
+  return std::sqrt (quantile (variances, .75) / (quartile_ratio_of_12 * quantile (variances, .25)));
 }
 
 /** Whether a part of the cloud hides noise, of which its regions show more and more as it is thinned. Detail does, too, but is not the

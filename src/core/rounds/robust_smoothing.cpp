@@ -89,7 +89,7 @@ private:
   {
     Numbers ().swap (risks_);
     Numbers ().swap (averaged_);
-    far_.emplace (graph_, nodeArrays (positions_, normals_), execution_.silent ());
+    far_.emplace (graph_, nodeArrays (positions_), execution_.silent ());
   }
 
   void
@@ -260,7 +260,7 @@ Vectors
 startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k)
 {
   Vectors normals (graph.size ());
-  const NormalOfNodes task {nodeArrays (positions, normals), normals.data ()->data ()};
+  const NormalOfNodes task {nodeArrays (positions), normals.data ()->data ()};
   forEachBlock (graph, execution, [&] (const BlockRows& rows) {
     kernels ().start_normals (task, {rows.neighbors, std::min (rows.length, k)});
   });

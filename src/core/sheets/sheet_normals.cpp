@@ -15,23 +15,6 @@ namespace
 constexpr std::size_t start_k = 8;
 constexpr float agreement = 2;
 
-/** \param[in] nodes null: all */
-template <typename Body>
-void
-forEachBlockOf (const NeighborGraph& graph,
-                const std::vector<std::uint32_t>* nodes,
-                std::size_t max_length,
-                const Execution& execution,
-                const Body& body)
-{
-  if (nodes != nullptr)
-    forEachBlockOf (graph, *nodes, max_length, execution, body);
-  else
-    forEachBlock (graph, execution, [&] (const BlockRows& rows) {
-      body (BlockRows {rows.neighbors, std::min (rows.length, max_length)});
-    });
-}
-
 NormalVoteStep
 voteAmong (const Positions& positions, const Vectors& candidates, float distance, Vectors& elected)
 {
@@ -71,7 +54,7 @@ electNormals (const NeighborGraph& graph,
   if (nodes != nullptr)
     candidates_of = nodesInRows (graph, *nodes, by.row_length);
   Vectors candidates (graph.size ()), elected (graph.size ());
-  const NormalOfNodes start {nodeArrays (positions, candidates), candidates.data ()->data ()};
+  const NormalOfNodes start {nodeArrays (positions), candidates.data ()->data ()};
   forEachBlockOf (graph, nodes != nullptr ? &candidates_of : nullptr, start_k, execution,
                   [&] (const BlockRows& rows) { kernels ().start_normals (start, rows); });
   const NormalVoteStep vote = voteAmong (positions, candidates, by.distance, elected);
@@ -91,7 +74,7 @@ electAgain (const NeighborGraph& graph,
   Vectors elected = normals;
   NormalVoteStep vote = voteAmong (positions, normals, distance, elected);
   vote.agreement = agreement;
-  forEachBlockOf (graph, &nodes, sheet_row_length, execution,
+  forEachBlockOf (graph, nodes, sheet_row_length, execution,
                   [&] (const BlockRows& rows) { kernels ().elect_normals (vote, rows); });
   return elected;
 }

@@ -24,13 +24,8 @@ nodesBesideOtherSheets (const NeighborGraph& graph,
 {
   Numbers others (graph.size (), 0.0f);
   const OtherSheetTest of_rows = test.ofRows (evidence_to_change, others);
-  const auto count = [&] (const BlockRows& rows) {
-    kernels ().count_others (of_rows, {rows.neighbors, std::min (rows.length, sheet_row_length)});
-  };
-  if (nodes != nullptr)
-    forEachBlockOf (graph, *nodes, sheet_row_length, execution, count);
-  else
-    forEachBlock (graph, execution, count);
+  forEachBlockOf (graph, nodes, sheet_row_length, execution,
+                  [&] (const BlockRows& rows) { kernels ().count_others (of_rows, rows); });
   std::vector<std::uint32_t> found;
   for (std::uint32_t node = 0; node < graph.size (); ++node)
     if (others[node] >= static_cast<float> (othersToChange (graph.row (node).size ())))

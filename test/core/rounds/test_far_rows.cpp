@@ -2,6 +2,7 @@
 #include "searched.h"
 
 #include <pcl_normal_smoothing/core/rounds/far_rows.h>
+#include <pcl_normal_smoothing/core/search/node_blocks.h>
 
 #include <gtest/gtest.h>
 
@@ -39,7 +40,7 @@ TEST (FarRowsTest, ReachTwiceAsFar)
 {
   for (const std::uint32_t k : {16u, 32u}) {
     const Searched cloud (withNoise (planeGrid (40, 1).points, 0.1, 1), {k});
-    const FarRows rows (*cloud.graph, nodeArrays (cloud.nodes, cloud.nodes.base), Execution (2));
+    const FarRows rows (*cloud.graph, nodeArrays (cloud.nodes), Execution (2));
     double near = 0, far = 0;
     for (std::uint32_t node = 0; node < cloud.graph->size (); ++node) {
       const Eigen::Vector3f& place = cloud.nodes.base[node];
@@ -59,7 +60,7 @@ TEST (FarRowsTest, ReachTwiceAsFar)
 TEST (FarRowsTest, TheNodeIsNoNeighbourOfItself)
 {
   const Searched cloud (withNoise (planeGrid (20, 1).points, 0.3, 2), {16});
-  const FarRows rows (*cloud.graph, nodeArrays (cloud.nodes, cloud.nodes.base), Execution (2));
+  const FarRows rows (*cloud.graph, nodeArrays (cloud.nodes), Execution (2));
   for (std::uint32_t node = 0; node < cloud.graph->size (); ++node) {
     const std::vector<std::uint32_t> row = farRow (*cloud.graph, rows, node);
     EXPECT_EQ (row[0], node);
@@ -72,7 +73,7 @@ TEST (FarRowsTest, ShortRowsEndWithTheNode)
 {
   for (const std::uint32_t k : {1u, 2u, 5u}) {
     const Searched cloud (withNoise (planeGrid (10, 1).points, 0.1, 3), {k});
-    const FarRows rows (*cloud.graph, nodeArrays (cloud.nodes, cloud.nodes.base), Execution (1));
+    const FarRows rows (*cloud.graph, nodeArrays (cloud.nodes), Execution (1));
     const std::vector<std::uint32_t> row = farRow (*cloud.graph, rows, 7);
     for (std::size_t slot = 0; slot < row.size (); ++slot)
       EXPECT_EQ (row[slot] == 7, slot == 0 || slot >= k) << k << " " << slot;
@@ -91,7 +92,7 @@ TEST (FarRowsTest, WhatIsInNoRowDoesNotComeIn)
   };
   const auto graph = NeighborGraph::build (asPositions (points), ofOwnSheet, Execution (1));
   const Positions nodes = gather (asPositions (points), graph->order ());
-  const FarRows rows (*graph, nodeArrays (nodes, nodes.base), Execution (1));
+  const FarRows rows (*graph, nodeArrays (nodes), Execution (1));
   for (std::uint32_t node = 0; node < graph->size (); ++node)
     for (const std::uint32_t neighbor : farRow (*graph, rows, node))
       EXPECT_EQ (nodes.base[neighbor].z (), nodes.base[node].z ());
@@ -106,8 +107,8 @@ TEST (FarRowsTest, FarFromTheOriginTheyAreTheSame)
     moved.base[i] = (place.array () + 32768).round ().matrix ();
     moved.offset[i] += place - (moved.base[i].array () - 32768).matrix ();
   }
-  const FarRows here (*cloud.graph, nodeArrays (cloud.nodes, cloud.nodes.base), Execution (2));
-  const FarRows there (*cloud.graph, nodeArrays (moved, moved.base), Execution (2));
+  const FarRows here (*cloud.graph, nodeArrays (cloud.nodes), Execution (2));
+  const FarRows there (*cloud.graph, nodeArrays (moved), Execution (2));
   for (std::uint32_t node = 0; node < cloud.graph->size (); ++node)
     EXPECT_EQ (farRow (*cloud.graph, there, node), farRow (*cloud.graph, here, node)) << node;
 }

@@ -19,9 +19,18 @@ constexpr std::size_t nearest_count = 8;
 Eigen::Vector3d
 meanOfNearest (const Differences& differences, std::size_t count = nearest_count);
 
-/** About their mean. \param[in] differences at least as many */
-Eigen::Matrix3d
-covarianceOfNearest (const Differences& differences, std::size_t count = nearest_count);
+/** How points lie about their mean. */
+struct PrincipalAxes
+{
+  /** Ascending. */
+  Eigen::Vector3d variances;
+  /** Along which the first is: of the plane through the points. */
+  Eigen::Vector3d normal;
+};
+
+/** Of the \a count nearest. \param[in] differences at least as many */
+PrincipalAxes
+axesOfNearest (const Differences& differences, std::size_t count = nearest_count);
 
 /** The median distance of the last of the nearest_count nearest; 0 of none. */
 float

@@ -24,6 +24,11 @@ struct LayerSurrounding
   double step;
 };
 
+/** Points that lie in planes and have others off these show layers where there are more of them than so many, and
+  * more than such a share of them see a layer next to theirs. Clean surfaces come to .03, depth cameras to .13 and
+  * more. */
+constexpr double min_count_off = 32, min_share_stepped = .1;
+
 /** \param[in] differences at least nearest_count
   * \param[in] normal of the plane */
 LayerSurrounding

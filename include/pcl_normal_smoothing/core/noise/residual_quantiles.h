@@ -15,6 +15,10 @@ using ResidualVariances = std::array<std::vector<float>, 3>;
 /** Their places in ResidualVariances. */
 constexpr std::size_t of_8 = 0, of_12 = 1, of_16 = 2;
 
+/** The upper quartile of the variances of the 12 nearest over the lower one, where there is one noise: that of
+  * chi-square by 6 degrees of freedom. */
+constexpr double quartile_ratio_of_12 = 2.27;
+
 /** The smallest neighbourhoods that tell of the noise, of_8 or of_12: coordinates in steps as large as the noise (depth cameras) often put
   * the eight nearest in one plane exactly. */
 std::size_t

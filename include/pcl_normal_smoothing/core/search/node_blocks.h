@@ -65,11 +65,39 @@ forEachBlockOf (const NeighborGraph& graph,
                8);
 }
 
+/** The same for those nodes that are asked, or for all.
+  * \param[in] nodes null: all, in the blocks of the graph */
+template <typename Body>
+void
+forEachBlockOf (const NeighborGraph& graph,
+                const std::vector<std::uint32_t>* nodes,
+                std::size_t max_length,
+                const Execution& execution,
+                const Body& body)
+{
+  if (nodes != nullptr)
+    forEachBlockOf (graph, *nodes, max_length, execution, body);
+  else
+    forEachBlock (graph, execution, [&] (const BlockRows& rows) {
+      body (BlockRows {rows.neighbors, std::min (rows.length, max_length)});
+    });
+}
+
+/** For kernels that read no normals. Asks all offsets whether they are zero: O(n), where they are. */
+inline NodeArrays
+nodeArrays (const Positions& positions)
+{
+  const float* offset = hasOffsets (positions) ? positions.offset.data ()->data () : nullptr;
+  return {positions.base.data ()->data (), offset, nullptr};
+}
+
+/** The same with normals. */
 inline NodeArrays
 nodeArrays (const Positions& positions, const Vectors& normals)
 {
-  const float* offset = hasOffsets (positions) ? positions.offset.data ()->data () : nullptr;
-  return {positions.base.data ()->data (), offset, normals.data ()->data ()};
+  NodeArrays nodes = nodeArrays (positions);
+  nodes.normals = normals.data ()->data ();
+  return nodes;
 }
 
 /** Whether no node is without a normal. */
