@@ -120,7 +120,7 @@ MUTATIONS = [
     ("rounds: an outlier holds up all around it", KERNELS + "step_control.h", "= 3 * gainOf", "= 3e9f * gainOf"),
     ("rounds: the share of a step is the square", KERNELS + "step_control.h", "  share *= share;\n  share *= share;\n", "  share *= share;\n"),
     ("rounds: fitted normals are not filtered", CORE + "rounds/robust_smoothing.cpp", "        filterFitted (sigma_s);\n", "        ;\n"),
-    ("layers: none are seen", HEADERS + "core/noise/layer_test.h", "min_share_stepped = .1;", "min_share_stepped = 1.1;"),
+    ("layers: none are seen", CORE + "noise/layer_test.h", "min_share_stepped = .1;", "min_share_stepped = 1.1;"),
     ("layers: all flat parts are some", CORE + "noise/layer_estimate.cpp", "|| stepped <= min_share_stepped * off", ""),
     ("layers: the rims of plates are some", CORE + "noise/layer_test.cpp", "max_share_beneath = .25;", "max_share_beneath = 1e9;"),
     ("layers: steps of any heights are", CORE + "noise/layer_estimate.cpp", "max_deviation = .4f;", "max_deviation = 40;"),

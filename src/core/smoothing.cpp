@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "rounds/round_schedule.h"
+
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/rounds/round_schedule.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 
 #include <algorithm>

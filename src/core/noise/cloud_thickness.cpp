@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../quantile.h"
+#include "differences.h"
+
 #include <pcl_normal_smoothing/core/noise/cloud_thickness.h>
-#include <pcl_normal_smoothing/core/noise/differences.h>
-#include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "layer_test.h"
+#include "thinned_sample.h"
+
 #include <pcl_normal_smoothing/core/noise/coordinate_rounding.h>
-#include <pcl_normal_smoothing/core/noise/layer_test.h>
-#include <pcl_normal_smoothing/core/noise/thinned_sample.h>
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 
 #include <algorithm>

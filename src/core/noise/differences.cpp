@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/noise/differences.h>
-#include <pcl_normal_smoothing/core/quantile.h>
+#include "differences.h"
+
+#include "../quantile.h"
 
 #include <Eigen/Eigenvalues>
 

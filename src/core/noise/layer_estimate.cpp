@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../quantile.h"
+#include "layer_test.h"
+#include "thinned_sample.h"
+
 #include <pcl_normal_smoothing/core/noise/layer_estimate.h>
-#include <pcl_normal_smoothing/core/noise/layer_test.h>
-#include <pcl_normal_smoothing/core/noise/thinned_sample.h>
-#include <pcl_normal_smoothing/core/quantile.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/noise/layer_test.h>
+#include "layer_test.h"
 
 #include <algorithm>
 #include <cmath>

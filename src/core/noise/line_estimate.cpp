@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "thinned_sample.h"
+
 #include <pcl_normal_smoothing/core/noise/line_estimate.h>
-#include <pcl_normal_smoothing/core/noise/thinned_sample.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../quantile.h"
+#include "residual_quantiles.h"
+
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
-#include <pcl_normal_smoothing/core/noise/residual_quantiles.h>
-#include <pcl_normal_smoothing/core/quantile.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../quantile.h"
 #include "../ramp.h"
+#include "residual_quantiles.h"
 
 #include <pcl_normal_smoothing/core/noise/noise_field.h>
 #include <pcl_normal_smoothing/core/noise/noise_sample.h>
-#include <pcl_normal_smoothing/core/noise/residual_quantiles.h>
-#include <pcl_normal_smoothing/core/quantile.h>
 
 #include <algorithm>
 #include <cmath>

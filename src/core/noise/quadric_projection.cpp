@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../quantile.h"
+
 #include <pcl_normal_smoothing/core/noise/quadric_projection.h>
 
 #include <pcl_normal_smoothing/core/noise/wide_noise.h>
-#include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/search/node_blocks.h>
 #include <pcl_normal_smoothing/core/search/thinned_cloud.h>
 

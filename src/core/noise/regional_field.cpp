@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../quantile.h"
+
 #include <pcl_normal_smoothing/core/noise/regional_field.h>
-#include <pcl_normal_smoothing/core/quantile.h>
 
 #include <Eigen/Geometry>
 

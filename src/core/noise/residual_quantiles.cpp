@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../ramp.h"
+#include "residual_quantiles.h"
 
-#include <pcl_normal_smoothing/core/noise/residual_quantiles.h>
-#include <pcl_normal_smoothing/core/quantile.h>
+#include "../quantile.h"
+#include "../ramp.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "thinned_noise.h"
+
+#include "../quantile.h"
+#include "thinned_sample.h"
+
 #include <pcl_normal_smoothing/core/noise/cloud_thickness.h>
-#include <pcl_normal_smoothing/core/noise/thinned_noise.h>
-#include <pcl_normal_smoothing/core/noise/thinned_sample.h>
-#include <pcl_normal_smoothing/core/quantile.h>
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 #include <pcl_normal_smoothing/core/search/thinned_cloud.h>
 

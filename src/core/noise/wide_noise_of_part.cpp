@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wide_noise_of_part.h"
 
+#include "../quantile.h"
 #include "noise_reach.h"
-
-#include <pcl_normal_smoothing/core/noise/residual_quantiles.h>
-#include <pcl_normal_smoothing/core/quantile.h>
+#include "residual_quantiles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/noise/thinned_noise.h>
+#include "thinned_noise.h"
+
 #include <pcl_normal_smoothing/core/noise/wide_noise.h>
 
 namespace pcl_normal_smoothing

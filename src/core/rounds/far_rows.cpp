@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "round_schedule.h"
+
 #include <pcl_normal_smoothing/core/rounds/far_rows.h>
-#include <pcl_normal_smoothing/core/rounds/round_schedule.h>
 #include <pcl_normal_smoothing/core/search/node_blocks.h>
 
 #include <algorithm>

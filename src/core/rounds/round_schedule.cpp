@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/rounds/round_schedule.h>
+#include "round_schedule.h"
 
 #include <algorithm>
 

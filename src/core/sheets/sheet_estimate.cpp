@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/quantile.h>
+#include "../quantile.h"
+#include "sheet_normals.h"
+
 #include <pcl_normal_smoothing/core/sheets/sheet_estimate.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_normals.h>
 #include <pcl_normal_smoothing/core/sheets/sheet_test.h>
 
 #include <algorithm>

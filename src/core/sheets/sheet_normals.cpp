@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "sheet_normals.h"
+
 #include <pcl_normal_smoothing/core/search/node_blocks.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_normals.h>
 #include <pcl_normal_smoothing/core/sheets/sheet_test.h>
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/noise/differences.h>
+#include "differences.h"
+
 #include <pcl_normal_smoothing/core/noise/regional_field.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
