@@ -10,8 +10,9 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Memory for an array. From a megabyte on it is the system's own, not the heap's: in pages of two megabytes where there
-  * are such, of which it has to be asked for fewer, and the processor finds more at once; and nothing of it stays behind.
+/** Memory for an array, aligned as that of operator new. From a megabyte on it is the system's own, not the heap's: in
+  * pages of two megabytes where there are such, of which it has to be asked for fewer, and the processor finds more at
+  * once; and nothing of it stays behind.
   * \throw std::bad_alloc where there is none */
 void*
 allocateBytes (std::size_t bytes);
@@ -35,6 +36,7 @@ struct PaddedAllocator
   T*
   allocate (std::size_t size)
   {
+    static_assert (alignof (T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__, "allocateBytes aligns no further");
     return static_cast<T*> (allocateBytes (bytes (size)));
   }
 

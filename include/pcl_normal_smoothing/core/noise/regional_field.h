@@ -44,7 +44,7 @@ struct LocalValue
 /** A quantile over regions of 64 to 127 points of a sample, or all where it has fewer.
   * \param[in] sample at least one point, in any order
   * \param[in] spacing between neighbouring points, > 0
-  * \param[in] level 0 to 1, that of the median for .5 */
+  * \param[in] level in [0, 1), that of the median for .5 */
 RegionalField
 regionalQuantiles (std::vector<LocalValue> sample, float spacing, double level);
 
