@@ -12,7 +12,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 namespace
@@ -119,6 +121,30 @@ sendKey (Display* display, Window window, KeySym key, unsigned modifiers)
   }
   XFlush (display);
 }
+
+/** The command of a process; empty where it has ended. */
+std::string
+commandOf (int process)
+{
+  std::string command;
+  std::getline (std::ifstream ("/proc/" + std::to_string (process) + "/cmdline"), command, '\0');
+  return command;
+}
+
+/** The display that a tool has started; 0 where it does not within half a minute. */
+int
+serverOf (int tool)
+{
+  const std::string id = std::to_string (tool);
+  for (int i = 0; i < 3000; ++i) {
+    std::ifstream children ("/proc/" + id + "/task/" + id + "/children");
+    for (int child; children >> child;)
+      if (commandOf (child) == "Xvfb")
+        return child;
+    std::this_thread::sleep_for (std::chrono::milliseconds (10));
+  }
+  return 0;
+}
 } // namespace
 
 TEST_F (Viewer, TakesAPictureWithoutADisplay)
@@ -153,6 +179,21 @@ TEST_F (Viewer, SaysWhatItCannotDo)
   EXPECT_EQ (without_display.status, 3);
   EXPECT_NE (without_display.err.find ("-screenshot"), std::string::npos) << without_display.err;
   EXPECT_EQ (files (), (std::set<std::string> {"mesh.ply", "noisy.ply"}));
+}
+
+TEST_F (Viewer, KilledItLeavesNoDisplayBehind)
+{
+  for (const int signal : {SIGTERM, SIGKILL}) {
+    const int tool = startTool (
+        {TOOLS_FOLDER "/pcl_normal_smoothing_viewer", path ("noisy.ply"), "-screenshot", path ("picture.png")}, folder_);
+    const int server = serverOf (tool);
+    ASSERT_NE (server, 0);
+    kill (tool, signal);
+    EXPECT_EQ (waitFor (tool, folder_).status, 128 + signal);
+    for (int i = 0; i < 1000 && !commandOf (server).empty (); ++i)
+      std::this_thread::sleep_for (std::chrono::milliseconds (10));
+    EXPECT_EQ (commandOf (server), "") << "after signal " << signal;
+  }
 }
 
 TEST_F (Viewer, KeysChangeTheParameters)

@@ -5,6 +5,7 @@
 
 #include <X11/Xlib.h>
 
+#include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -57,11 +58,8 @@ Display::Display (bool off_screen)
 
 Display::~Display ()
 {
-  if (server_ > 0) {
-    kill (server_, SIGTERM);
-    waitpid (server_, nullptr, 0);
-    unsetenv ("DISPLAY"); // there was none, and the number may soon be another server's
-  }
+  if (server_ > 0)
+    stopServer ();
 }
 
 void
@@ -70,10 +68,11 @@ Display::startServer ()
   int ends[2];
   if (pipe (ends) != 0)
     throw core::Error ("no pipe can be made for a display: close some files");
+  fcntl (ends[0], F_SETFD, FD_CLOEXEC); // the server must not be a reader of its own number
   const std::string end = std::to_string (ends[1]);
-  // Without -noreset it begins anew whenever its last client leaves, and refuses others meanwhile.
-  const char* const words[] = {"Xvfb",     "-displayfd", end.c_str (), "-screen",  "0",
-                               "64x64x24", "-nolisten",  "tcp",        "-noreset", nullptr};
+  // It ends with its last client, or where nobody reads its number: it does not outlive a program that is killed.
+  const char* const words[] = {"Xvfb",     "-displayfd", end.c_str (), "-screen",    "0",
+                               "64x64x24", "-nolisten",  "tcp",        "-terminate", nullptr};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init (&actions);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -86,8 +85,22 @@ Display::startServer ()
   ::close (ends[0]);
   if (!number.empty ())
     setenv ("DISPLAY", (":" + number).c_str (), 1);
-  if (number.empty () || !displayThere ())
+  connection_ = number.empty () ? nullptr : XOpenDisplay (nullptr);
+  if (connection_ == nullptr) {
+    if (started)
+      stopServer ();
     throw core::Error ("there is no display, and Xvfb does not start: install xvfb, or set DISPLAY");
+  }
+}
+
+void
+Display::stopServer ()
+{
+  if (connection_)
+    XCloseDisplay (connection_);
+  kill (server_, SIGTERM);
+  waitpid (server_, nullptr, 0);
+  unsetenv ("DISPLAY"); // there was none, and the number may soon be another server's
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing
