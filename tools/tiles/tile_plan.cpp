@@ -63,7 +63,8 @@ public:
     prepare (plan_, sample_, hashes_.limitFor (core::sheet_sample_size), execution_);
     plan_.sources = sources_.list ();
     plan_.parameters = parameters (plan_.options.inUnit (1 / plan_.unit));
-    removeOnInterruption (plan_.folder + "/cells.bin");
+    for (const char* name : {"/cells.bin", "/plan.json"})
+      removeOnInterruption (plan_.folder + name);
     savePlan (plan_);
     keepOnInterruption ();
     return std::move (plan_);
