@@ -7,6 +7,8 @@
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/run_settings.h>
 
+#include <pcl/common/io.h>
+
 #include <cstdio>
 
 namespace pcl_normal_smoothing
@@ -16,13 +18,35 @@ namespace tools
 const char* const normals_advice =
     "estimate them first, with pcl_wpca_normal_estimation or pcl_hough_normal_estimation";
 
+namespace
+{
+/** Names, types and sizes in bytes, as the header of a PCD file has them. */
+std::string
+fieldsOf (const pcl::PCLPointCloud2& cloud)
+{
+  std::string list;
+  for (const pcl::PCLPointField& field : cloud.fields)
+    list += (list.empty () ? "" : ", ") + field.name + " " + pcl::getFieldType (field.datatype) +
+            std::to_string (pcl::getFieldSize (field.datatype));
+  return list;
+}
+
+/** \throw core::Error with \a advice where the fields are not there, all float or all double */
+VectorLayout
+layoutOf (const CloudFile& file, const std::array<std::string, 3>& names, const std::string& advice)
+{
+  const auto layout = VectorLayout::find (*file.cloud, names);
+  if (!layout)
+    throw core::Error ("the cloud has no fields " + names[0] + ", " + names[1] + ", " + names[2] +
+                       " that are all float or all double, but " + fieldsOf (*file.cloud) + ": " + advice);
+  return *layout;
+}
+} // namespace
+
 VectorLayout
 positionLayoutOf (const CloudFile& file)
 {
-  const auto layout = VectorLayout::find (*file.cloud, {"x", "y", "z"});
-  if (!layout)
-    throw core::Error ("the cloud has no fields x, y, z that are all float or all double: give a cloud of points");
-  return *layout;
+  return layoutOf (file, {"x", "y", "z"}, "give a cloud of points, or rename and convert its fields");
 }
 
 VectorView
@@ -37,11 +61,7 @@ positionsOf (const CloudFile& file)
 VectorLayout
 normalLayoutOf (const CloudFile& file, const std::string& advice)
 {
-  const auto layout = VectorLayout::find (*file.cloud, {"normal_x", "normal_y", "normal_z"});
-  if (!layout)
-    throw core::Error ("the cloud has no fields normal_x, normal_y, normal_z that are all float or all double: " +
-                       advice);
-  return *layout;
+  return layoutOf (file, {"normal_x", "normal_y", "normal_z"}, advice);
 }
 
 void

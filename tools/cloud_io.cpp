@@ -102,7 +102,7 @@ loadCloud (const std::string& path)
   }
   catch (const FormatError& error) {
     const std::string kind = extension == ".pcd" ? "PCD" : "PLY";
-    throw FileError (path, error.what (), "give a complete " + kind + " file");
+    throw FileError (path, error.what (), "give a whole and valid " + kind + " file");
   }
   return file;
 }

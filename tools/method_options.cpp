@@ -60,6 +60,17 @@ limitOf (const core::SmoothingOptions& method)
 
 const std::string no_length = "inf";
 
+/** The options of \a names that were given, one after the other. */
+std::string
+givenOf (const std::vector<std::string>& names, const Options& options)
+{
+  std::string list;
+  for (const std::string& name : names)
+    if (options.given (name))
+      list += (list.empty () ? "" : " ") + name;
+  return list;
+}
+
 std::string
 optionIfFinite (const std::string& name, float number)
 {
@@ -155,7 +166,8 @@ addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings&
                "iterations of the point update; rounds, at most 6, of the presets default and fast",
                standard ([] (const auto& m) { return textOf (m.robust ? m.rounds.rounds : m.update.iterations); }),
                integerOption (0, max_iterations, [&] (auto n) { settings.setPointIterations (static_cast<int> (n)); }));
-  options.add ("-max_displacement", "D", "farthest that a point may end from where it began, in the cloud's unit",
+  options.add ("-max_displacement", "D",
+               "farthest that a point may end from where it began, but for rounding, in the cloud's unit",
                standard (limitOf), positiveOption ([&] (double distance) { settings.setMaxDisplacement (distance); }));
 }
 
@@ -194,6 +206,8 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
 void
 checkOptions (const core::SmoothingOptions& method, int k)
 {
+  if (method.filter.oriented && method.normals != NormalSource::INPUT)
+    throw UsageError ("-oriented 1 is said of normals that are estimated, whose signs are arbitrary: give -normals input");
   try {
     core::check (method);
     core::checkNeighborCount (method, k);
@@ -201,6 +215,25 @@ checkOptions (const core::SmoothingOptions& method, int k)
   catch (const core::Error& error) {
     throw UsageError (error.what ());
   }
+}
+
+void
+noteSurprises (const Options& options, const core::SmoothingOptions& method)
+{
+  if (method.robust)
+    return;
+  const std::map<std::string, std::string> given = options.given ();
+  const auto preset = given.find ("-preset");
+  const bool meant =
+      given.count ("-weights") + given.count ("-update") > 0 || (preset != given.end () && preset->second == "paper");
+  const std::string of_chain =
+      givenOf ({"-mixed", "-threshold", "-sigma_s", "-normal_iterations", "-update_sigma_s"}, options);
+  if (!meant && !of_chain.empty ())
+    note (of_chain + ": of the paper's chain, which now runs in place of the rounds");
+  const std::string of_rounds = givenOf (
+      {"-noise_sigma", "-noise_varies", "-widen_neighborhoods", "-point_spacing", "-sheet_distance"}, options);
+  if (!of_rounds.empty ())
+    note (of_rounds + ": for the rounds of the presets default and fast, not used here");
 }
 
 void
@@ -219,6 +252,13 @@ addSeedOption (Options& options, const std::string& standard, const std::functio
 }
 
 void
+addThreadsOption (Options& options, unsigned& threads)
+{
+  options.add ("-threads", "N", "threads, 0 = all cores; the result does not depend on it", "0",
+               integerOption (0, 1024, [&] (std::int64_t number) { threads = static_cast<unsigned> (number); }));
+}
+
+void
 SearchOptions::addTo (Options& options, const std::string& standard_k, int least_k, const std::string& more)
 {
   options.add ("-k", "N", "neighbours of a point, itself included, at least " + std::to_string (least_k) + more,
@@ -228,8 +268,7 @@ SearchOptions::addTo (Options& options, const std::string& standard_k, int least
                positiveOption ([this] (double length) { radius = length; }));
   options.add ("-max_radius", "R", "of the k neighbours only those closer than this, in the cloud's unit", "no limit",
                positiveOption ([this] (double length) { max_radius = length; }));
-  options.add ("-threads", "N", "threads, 0 = all cores; the result does not depend on it", "0",
-               integerOption (0, 1024, [this] (std::int64_t number) { threads = static_cast<unsigned> (number); }));
+  addThreadsOption (options, threads);
 }
 
 core::NeighborQuery
@@ -254,7 +293,7 @@ addMethodOptions (Options& options,
                   const std::function<void (bool)>& save_normals)
 {
   addPresetOptions (options, settings);
-  search.addTo (options, presetStandardK (), 3, "; 4 with -normals wpca, 7 in rounds");
+  search.addTo (options, presetStandardK (), 3, "; 4 with -normals wpca, 7 in rounds, of which 32 at most count");
   addFilterOptions (options, presetStandard, settings);
   addUpdateOptions (options, presetStandard, settings);
   addNoiseOptions (options, settings);

@@ -221,11 +221,11 @@ Options::checkFiles (const std::string& tool) const
   const std::size_t needed = file_roles_.size () - (any_more || one_more ? 1 : 0);
   const std::size_t most = any_more ? files_.size () : file_roles_.size ();
   if (files_.size () < needed || files_.size () > most)
-    throw UsageError (std::to_string (files_.size ()) + " file names are given, " + std::to_string (needed) +
+    throw UsageError ("file names: " + std::to_string (needed) +
                       (any_more   ? " or more"
                        : one_more ? " or " + std::to_string (most)
                                   : "") +
-                      " are needed\n" + usage (tool));
+                      " needed, " + std::to_string (files_.size ()) + " given\n" + usage (tool));
 }
 
 std::string

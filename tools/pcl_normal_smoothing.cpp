@@ -2,8 +2,10 @@
 #include "batch.h"
 #include "smoothing_report.h"
 #include "tool.h"
+#include "tool_error.h"
 
 #include <cstdio>
+#include <filesystem>
 
 using namespace pcl_normal_smoothing;
 
@@ -35,7 +37,7 @@ class NormalSmoothingTool : public tools::Tool
   void
   work (const tools::Options& options) override
   {
-    job_.check ();
+    job_.check (options);
     if (!report_.empty ())
       tools::checkReport (report_);
     if (options.given ("-input_dir"))
@@ -47,6 +49,8 @@ class NormalSmoothingTool : public tools::Tool
   void
   smoothFile (const std::string& input, const std::string& output)
   {
+    if (std::filesystem::is_directory (input))
+      throw tools::FileError (input, "is a folder", "give it with -input_dir, and another with -output_dir");
     const tools::SmoothingResult result =
         job_.smooth (input, output, job_.threads (), tools::progressOnTerminal (), !report_.empty ());
     std::printf ("%s: %zu points\nparameters: %s\n", output.c_str (), result.points, result.parameters.c_str ());

@@ -54,7 +54,7 @@ class ViewerTool : public tools::Tool
   void
   check (const tools::Options& options) const
   {
-    job_.check ();
+    job_.check (options);
     if (!picture_.empty () && tools::extensionOf (picture_) != ".png")
       throw tools::UsageError (picture_ + ": a picture is a PNG: end its name in .png");
     if (colouring_ == tools::Colouring::DISTANCE && options.file (1).empty ())

@@ -11,8 +11,6 @@ using namespace pcl_normal_smoothing;
 
 namespace
 {
-constexpr int standard_k = 16;
-
 class SurfaceNoiseEstimationTool : public tools::Tool
 {
   void
@@ -20,15 +18,15 @@ class SurfaceNoiseEstimationTool : public tools::Tool
   {
     options.describe ("Tells how noisy a scan is: the standard deviation of its noise along the surface's normal.",
                       {"input.pcd|ply"});
-    search_.addTo (options, std::to_string (standard_k));
+    tools::addThreadsOption (options, threads_);
   }
 
   void
   work (const tools::Options& options) override
   {
     const tools::CloudFile file = tools::loadInput (options.file (0));
-    const core::Execution execution (search_.threads, tools::progressOnTerminal ());
-    core::NeighborQuery query = search_.query (standard_k);
+    const core::Execution execution (threads_, tools::progressOnTerminal ());
+    core::NeighborQuery query {core::noise_row_length};
     query.distinct = true;
     const tools::CloudGraph cloud = tools::searchNeighbors (file, query, execution.part (0, 0.9));
     const core::NoiseEstimate noise =
@@ -44,7 +42,7 @@ class SurfaceNoiseEstimationTool : public tools::Tool
                    noise.sigma * noise.field.smallestFactor (), noise.sigma * noise.field.largestFactor ());
   }
 
-  tools::SearchOptions search_;
+  unsigned threads_ = 0;
 };
 } // namespace
 

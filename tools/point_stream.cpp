@@ -22,7 +22,7 @@ withPath (const std::string& path, const Work& work)
     return work ();
   }
   catch (const FormatError& error) {
-    throw FileError (path, error.what (), "give a complete PCD or PLY file");
+    throw FileError (path, error.what (), "give a whole and valid PCD or PLY file");
   }
 }
 } // namespace

@@ -7,10 +7,39 @@
 
 #include <pcl_normal_smoothing/core/error.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
 namespace pcl_normal_smoothing
 {
 namespace tools
 {
+namespace
+{
+/** What to say where a float is too coarse for coordinates so far from the origin; empty where it is not. */
+std::string
+coarsenessOf (const CloudFile& file, double spacing)
+{
+  const VectorView points = positionsOf (file);
+  if (points.layout.scalar () != VectorLayout::Scalar::FLOAT32)
+    return {};
+  double farthest = 0;
+  for (std::size_t i = 0; i < points.size; ++i)
+    if (const Eigen::Vector3d point = points.layout.get (points.data, i); point.allFinite ())
+      farthest = std::max (farthest, point.cwiseAbs ().maxCoeff ());
+  const auto number = static_cast<float> (farthest);
+  const double step = double {std::nextafter (number, std::numeric_limits<float>::infinity ())} - double {number};
+  if (step <= spacing / 4)
+    return {};
+  std::ostringstream text;
+  text << "coordinates of " << number << " come in steps of " << step
+       << " in float: give them as double, or less a common offset";
+  return text.str ();
+}
+} // namespace
+
 void
 SmoothingJob::addOptions (Options& options)
 {
@@ -19,10 +48,11 @@ SmoothingJob::addOptions (Options& options)
 }
 
 void
-SmoothingJob::check () const
+SmoothingJob::check (const Options& options) const
 {
   query ();
   checkOptions (smoothing_.options (), search_.k);
+  noteSurprises (options, smoothing_.options ());
 }
 
 void
@@ -50,13 +80,25 @@ SmoothingJob::run (CloudFile& file,
   smoothing_.setNumberOfThreads (threads);
   smoothing_.setProgressCallback (progress);
   smoothing_.setInputCloud (file.cloud);
+  const CloudFile input = file;
   file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
   smoothing_.filter (*file.cloud);
   if (!smoothing_.getErrorMessage ().empty ())
     throw core::Error (smoothing_.getErrorMessage ());
-  const core::RobustSmoothingOptions& rounds = smoothing_.usedOptions ().rounds;
-  if (smoothing_.usedOptions ().robust && rounds.rounds > 0 && rounds.noise.sigma == 0)
-    note (file.path + ": no noise was found, nothing moves: give -noise_sigma if there is some");
+  noteTrouble (input);
+}
+
+void
+SmoothingJob::noteTrouble (const CloudFile& input) const
+{
+  const core::SmoothingOptions& used = smoothing_.usedOptions ();
+  if (!used.robust)
+    return;
+  const core::NoiseEstimate& noise = used.rounds.noise;
+  if (const std::string coarseness = coarsenessOf (input, noise.spacing); !coarseness.empty ())
+    note (input.path + ": " + coarseness);
+  else if (used.rounds.rounds > 0 && noise.sigma == 0 && smoothing_.options ().rounds.noise.sigma < 0)
+    note (input.path + ": no noise was found, nothing moves: give -noise_sigma if there is some");
 }
 
 std::string

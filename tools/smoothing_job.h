@@ -31,9 +31,9 @@ public:
   void
   addOptions (Options& options);
 
-  /** \throw UsageError where the options do not fit each other */
+  /** Notes on what is not used of the command line's options. \throw UsageError where they do not fit each other */
   void
-  check () const;
+  check (const Options& options) const;
 
   /** The neighbourhoods that the options ask for, in the cloud's unit. */
   core::NeighborQuery
@@ -85,6 +85,10 @@ public:
           bool with_report);
 
 private:
+  /** What a user should know of the cloud that was smoothed. */
+  void
+  noteTrouble (const CloudFile& input) const;
+
   NormalSmoothing<pcl::PCLPointCloud2> smoothing_;
   SearchOptions search_;
   FormatOption format_;

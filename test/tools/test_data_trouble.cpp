@@ -63,6 +63,25 @@ TEST_F (DataTrouble, NothingToWorkOn)
   expectRefused ("pcl_normal_smoothing in.ply out.pcd", "empty");
 }
 
+TEST_F (DataTrouble, FieldsOfAnotherType)
+{
+  tools::CloudFile cloud = makeWave ();
+  for (pcl::PCLPointField& field : cloud.cloud->fields)
+    if (field.name == "x" || field.name == "y" || field.name == "z")
+      field.datatype = pcl::PCLPointField::INT32;
+  savePcd (cloud, path ("in.pcd"));
+  expectRefused ("pcl_normal_smoothing in.pcd out.pcd", "x I4, y I4, z I4");
+}
+
+TEST_F (DataTrouble, CoordinatesTooLargeForFloat)
+{
+  const Eigen::Vector3d utm (500000, 5600000, 100);
+  savePcd (makeWave (pcl::PCLPointField::FLOAT32, utm), path ("float.pcd"));
+  EXPECT_NE (succeed ("pcl_normal_smoothing float.pcd out.pcd").err.find ("in steps of 0.5 in float"), std::string::npos);
+  savePcd (makeWave (pcl::PCLPointField::FLOAT64, utm), path ("double.pcd"));
+  EXPECT_EQ (succeed ("pcl_normal_smoothing double.pcd out.pcd").err, "");
+}
+
 TEST_F (DataTrouble, NoSurface)
 {
   std::string points;

@@ -90,7 +90,7 @@ TEST_F (Usage, MalformedValue)
                                    "-update PAPER"})
     expectRefused ("pcl_normal_smoothing wave.pcd out.pcd " + option, option.substr (0, option.find (' ')));
   expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -point_iterations 7", "rounds");
-  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -oriented 1", "oriented");
+  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -oriented 1", "give -normals input");
 }
 
 TEST_F (Usage, FileNames)

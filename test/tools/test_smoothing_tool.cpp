@@ -142,6 +142,25 @@ TEST_F (SmoothingTool, NoProgressAndNoNoiseOffTheTerminal)
   EXPECT_EQ (succeed ("pcl_normal_smoothing wave.pcd out.pcd -noise_sigma 0.02").err, "");
 }
 
+TEST_F (SmoothingTool, SaysWhatOptionsOfTheOtherMethodDo)
+{
+  const auto said = [&] (const std::string& options) {
+    return succeed ("pcl_normal_smoothing wave.pcd out.pcd " + options).err;
+  };
+  EXPECT_NE (said ("-threshold 0.5 -sigma_s 0.2").find ("-threshold -sigma_s: of the paper's chain"), std::string::npos);
+  EXPECT_NE (said ("-preset paper -noise_sigma 0.1").find ("-noise_sigma: for the rounds"), std::string::npos);
+  EXPECT_EQ (said ("-weights gaussian -sigma_s 0.2"), "");
+  EXPECT_EQ (said ("-preset paper -sigma_s 0.2"), "");
+  EXPECT_EQ (said ("-noise_sigma 0"), "");
+}
+
+TEST_F (SmoothingTool, AFolderIsNoCloud)
+{
+  const Ending ending = run ("pcl_normal_smoothing ./. out.pcd");
+  EXPECT_EQ (ending.status, 2);
+  EXPECT_NE (ending.err.find ("-input_dir"), std::string::npos) << ending.err;
+}
+
 TEST_F (SmoothingTool, SaysThatFacesAreLeftOut)
 {
   writeText (path ("mesh.ply"),

@@ -93,7 +93,7 @@ ViewerSession::smooth (const std::map<std::string, std::string>& options)
   Options known;
   job.addOptions (known);
   parse (known, options);
-  job.check ();
+  job.check (known);
   CloudFile result = file_;
   job.prepare (result);
   const auto begin = std::chrono::steady_clock::now ();
