@@ -29,7 +29,7 @@ constexpr float share_of_gap = .36f;
 // The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
 constexpr float sheet_noise_factor = 1.4f;
 // Noise as wide as the points are apart is estimated as .7 to .9 of what it is, .8 spacings at most. So from the first
-// ratio to the spacing on sigma is assumed to be larger, from the second on by the factor; if it is .7 that costs nothing.
+// ratio to the spacing on sigma is assumed to be larger, from the second on by the factor; at .7 that costs nothing.
 constexpr float perhaps_wide = .67f;
 constexpr float as_if_wide = .74f;
 constexpr float underestimated_factor = 1.6f;
