@@ -66,10 +66,12 @@ corrected (const NoiseSample& sample, const Factors& factors)
   return variances;
 }
 
-/** How points lie on the surface: scattered all over it, or along the lines of a scanner, with gaps between these. */
+/** How points lie on the surface: scattered all over it, perhaps in clumps here and there, or along the lines of a scanner,
+  * with gaps between these. */
 enum class Pattern
 {
   SCATTERED,
+  CLUMPED,
   SCAN_LINES
 };
 
@@ -106,6 +108,8 @@ estimateSigma (const NoiseSample& sample, Pattern pattern, double certainty_of_d
     const double sigma =
         pattern == Pattern::SCAN_LINES ? sigmaAcrossLines (variances) : sigmaBy (variances, certainty_of_slant);
     noise.sigma = static_cast<float> (sigma * whatQuadricsFollow (sigma / noise.spacing));
+    if (pattern == Pattern::CLUMPED)
+      noise.sigma = static_cast<float> (sigmaInClumps (variances, noise.sigma));
   }
 }
 
@@ -178,7 +182,7 @@ estimateNoise (const NoiseSample& sample, const Widening& widening)
   if (widening.layers.hasLayers ())
     return noiseInLayers (sample, widening.layers);
   NoiseEstimate noise =
-      estimateNoise (sample, !widening.lines.regions.empty () ? Pattern::SCAN_LINES : Pattern::SCATTERED);
+      estimateNoise (sample, !widening.lines.regions.empty () ? Pattern::SCAN_LINES : Pattern::CLUMPED);
   noise.sigma = widening.wide_noise.sigma > 0 ? widening.wide_noise.sigma : widening.rounding.atLeast (noise.sigma);
   if (widening.projects () ||
       !widening.wide_noise.is_everywhere) // the sample is of points that moved, or of rows that differ

@@ -84,6 +84,24 @@ leastSigma (const ResidualVariances& variances)
   return sigmaInRelief (variances, std::sqrt (std::min ({1.1 * low, 1.05 * middle, std::max (high, .75 * least)})));
 }
 
+/** How sure it is, 0 to 1, that the eight nearest tell nothing: they leave far less than twelve, though these leave hardly
+  * less than sixteen, as they do of detail, and much the same everywhere, as they do not of relief. */
+double
+certaintyOfClumps (const ResidualVariances& variances)
+{
+  constexpr double least_of_12 = 1.8, sure_of_12 = 2.1; // over what eight leave
+  constexpr double most_of_16 = 1.75, sure_of_16 = 1.5; // over what twelve leave
+  constexpr double least_of_lowest = .7, sure_of_lowest = .8;
+  const double by_8 = varianceBy (lower, variances, of_8), by_12 = varianceBy (lower, variances, of_12),
+               by_16 = varianceBy (lower, variances, of_16);
+  if (!(by_8 > 0) || isQuantised (by_8, by_12, by_16))
+    return 0;
+  return ramp (by_12 / by_8, least_of_12, sure_of_12 - least_of_12) *
+         (1 - ramp (by_16 / by_12, sure_of_16, most_of_16 - sure_of_16)) *
+         ramp (ratioOfSigmas (varianceBy (lowest, variances, of_12), by_12), least_of_lowest,
+               sure_of_lowest - least_of_lowest);
+}
+
 /** Of surfaces that face the rays, on the large side: slanting ones are no worse for it. Outliers do not reach the median. */
 double
 facingSigma (const ResidualVariances& variances)
@@ -118,6 +136,14 @@ sigmaBy (const ResidualVariances& variances, double certainty_of_slant)
 {
   const double least = leastSigma (variances);
   return least + certainty_of_slant * std::max (0.0, facingSigma (variances) - least);
+}
+
+double
+sigmaInClumps (const ResidualVariances& variances, double sigma)
+{
+  const double by_more =
+      extrapolated (varianceBy (lower, variances, of_12), varianceBy (lower, variances, of_16), .4, 2.5);
+  return sigma + certaintyOfClumps (variances) * std::max (0.0, std::sqrt (1.1 * by_more) - sigma);
 }
 
 double

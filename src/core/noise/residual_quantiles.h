@@ -37,6 +37,12 @@ certaintyOfSlant (const ResidualVariances& variances);
 double
 sigmaBy (const ResidualVariances& variances, double certainty_of_slant);
 
+/** The same where density jumps from point to point, as that of the vertices of coarse meshes: the eight nearest often lie
+  * in a clump or along a line, where many a quadric goes through all of them, so that sigmaBy is too small.
+  * \param[in] sigma as it is without \return \a sigma or more */
+double
+sigmaInClumps (const ResidualVariances& variances, double sigma);
+
 /** The same where points lie along lines, of which eight nearest show only one: see estimateLines. */
 double
 sigmaAcrossLines (const ResidualVariances& variances);
