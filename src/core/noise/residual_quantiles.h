@@ -19,6 +19,9 @@ constexpr std::size_t of_8 = 0, of_12 = 1, of_16 = 2;
   * chi-square by 6 degrees of freedom. */
 constexpr double quartile_ratio_of_12 = 2.27;
 
+/** The same of sixteen points. */
+constexpr double quartile_ratio_of_16 = 1.863;
+
 /** The smallest neighbourhoods that tell of the noise, of_8 or of_12: coordinates in steps as large as the noise (depth cameras) often put
   * the eight nearest in one plane exactly. */
 std::size_t

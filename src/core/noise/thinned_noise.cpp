@@ -21,14 +21,15 @@ namespace
 constexpr double min_share_turned = .06;
 constexpr double max_cosine_turned = .7;
 
-double
-upperResidual (const NoiseSample& sample)
+/** Those of the largest neighbourhoods. */
+std::vector<float>
+variancesOf (const NoiseSample& sample)
 {
   std::vector<float> variances;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes)
     if (std::isfinite (residuals.variances.back ()))
       variances.push_back (residuals.variances.back ());
-  return std::sqrt (quantile (variances, .75));
+  return variances;
 }
 } // namespace
 
@@ -45,8 +46,9 @@ ThinnedNoise::shown (int halvings)
   while (shown_.size () <= static_cast<std::size_t> (halvings)) {
     NoiseSample sample = thinnedSample (static_cast<int> (shown_.size ()));
     const NoiseEstimate noise = estimateNoise (sample);
-    const double residual = upperResidual (sample);
-    shown_.push_back ({std::move (sample), noise, residual});
+    const std::vector<float> variances = variancesOf (sample);
+    const double upper = quantile (variances, .75), lower = quantile (variances, .25);
+    shown_.push_back ({std::move (sample), noise, std::sqrt (upper), lower > 0 ? upper / lower : 0});
   }
   return shown_[static_cast<std::size_t> (halvings)];
 }

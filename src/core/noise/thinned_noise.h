@@ -45,6 +45,14 @@ public:
     return shown (halvings).residual;
   }
 
+  /** Of the largest neighbourhoods, the upper quartile over the lower one of the variances that their quadrics leave: of one
+    * noise quartile_ratio_of_16, of two sheets less, of detail more. */
+  double
+  spread (int halvings)
+  {
+    return shown (halvings).spread;
+  }
+
 protected:
   /** The sample where so many halvings thin the cloud, not kept. */
   virtual NoiseSample
@@ -55,7 +63,7 @@ private:
   {
     NoiseSample sample;
     NoiseEstimate noise;
-    double residual;
+    double residual, spread;
   };
 
   const Shown&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../ramp.h"
 #include "noise_reach.h"
+#include "residual_quantiles.h"
 #include "wide_noise_of_part.h"
 
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
@@ -43,6 +44,13 @@ constexpr double resolved_drop_in_clumps = .92, resolved_drop_of_two = .7;
 // Half of the points of a volume lie 1.26 times as far apart, and what quadrics leave of it grows no more; of detail it grows faster.
 constexpr double max_growth_in_clumps = 1.4;
 constexpr std::size_t least_to_quarter = 4 * noise_sample_size;
+// Where all points lie in clumps, as in the frames of a camera that stands still, sixteen reach beyond a clump: what
+// quadrics leave of them grows little, and not at all once the noise is resolved. Sigma then is the same as well, and
+// larger than it was.
+constexpr double max_growth_of_clumps = 2, max_growth_resolved = 1.05;
+constexpr double min_gain_of_sigma = 1.5, max_gain_resolved = 1.15;
+// And it differs from place to place as it does of one noise: see ThinnedNoise::spread.
+constexpr double min_spread = .96 * quartile_ratio_of_16, max_spread = 1.13 * quartile_ratio_of_16;
 // Where wider neighbourhoods lose detail: the ratio up to which WideNoise::excess is least_excess, for sigma is
 // estimated nearly in full and taking it to be larger loses detail; and that from which it is most_excess, for most of
 // the noise is hidden.
@@ -62,14 +70,38 @@ hidesNoise (ThinnedNoiseOfCloud& noise)
          (!dropsBelow (resolved_drop_in_clumps, 1) || !dropsBelow (resolved_drop_of_two, 2));
 }
 
+bool
+showsOneNoise (ThinnedNoise& noise, int halvings)
+{
+  return noise.spread (halvings) > min_spread && noise.spread (halvings) < max_spread;
+}
+
+/** As halvingsToResolve, where all points lie in clumps. */
+int
+halvingsToResolveClumps (ThinnedNoiseOfCloud& noise)
+{
+  const auto gain = [&] (int from, int to) { return noise.noise (to).sigma / noise.noise (from).sigma; };
+  const auto growth = [&] (int from, int to) { return noise.residual (to) / noise.residual (from); };
+  if (noise.ratio (0) > resolved_ratio || !noise.hasTurningPlanes () || !(growth (0, 1) < max_growth_in_clumps))
+    return 0;
+  for (int halvings = 1; halvings < noise.mostHalvings () && growth (0, halvings) < max_growth_of_clumps; ++halvings)
+    if (noise.ratio (halvings) < resolved_ratio && growth (halvings, halvings + 1) < max_growth_resolved &&
+        gain (halvings, halvings + 1) < max_gain_resolved && gain (0, halvings) > min_gain_of_sigma &&
+        showsOneNoise (noise, halvings))
+      return halvings;
+  return 0;
+}
+
 /** \return how often the cloud has to be halved, as a whole, to resolve its noise; 0 where that needs no halving, or
   * where no surface is seen however often: leaves and grass stay as they are */
 int
 halvingsToResolve (ThinnedNoiseOfCloud& noise)
 {
   const int most = noise.mostHalvings ();
-  if (most == 0 || !hidesNoise (noise))
+  if (most == 0)
     return 0;
+  if (!hidesNoise (noise))
+    return halvingsToResolveClumps (noise);
   const auto drop = [&] (int halvings) { return noise.ratio (halvings) / noise.ratio (halvings - 1); };
   for (int halvings = 1; halvings < most; ++halvings) {
     const bool at_once = noise.ratio (halvings - 1) >= resolved_ratio && drop (halvings) < resolved_drop_at_once;
@@ -84,9 +116,9 @@ halvingsToResolve (ThinnedNoiseOfCloud& noise)
              : 0;
 }
 
-/** Close sheets look like wide noise. Seen with 32 neighbours, whatever the rows of the graph. */
-bool
-mayBeSheets (const Positions& cloud, const NoiseEstimate& noise, const Execution& execution)
+/** Seen with 32 neighbours, whatever the rows of the graph. */
+SheetDetection
+detectSheets (const Positions& cloud, const NoiseEstimate& noise, const Execution& execution)
 {
   const std::vector<std::uint32_t> nodes = sampleNodes (cloud, sheet_sample_size, execution);
   const Elements start (nodes.begin (), nodes.end ());
@@ -94,8 +126,16 @@ mayBeSheets (const Positions& cloud, const NoiseEstimate& noise, const Execution
   std::vector<std::uint32_t> sample (start.size ());
   std::iota (sample.begin (), sample.end (), 0);
   return detectSheets (*graph, gather (cloud, graph->order ()), sample, sheetScales (noise.sigma, noise.spacing),
-                       execution)
-      .may_exist;
+                       execution);
+}
+
+/** Close sheets look like wide noise; and so do clumps inside the noise, but these do not show two peaks, and show one noise
+  * where they are thin enough. */
+bool
+mayBeSheets (ThinnedNoiseOfCloud& cloud, int to_resolve, const SheetDetection& sheets)
+{
+  const bool are_clumps = to_resolve > 0 && cloud.ratio (0) <= resolved_ratio && showsOneNoise (cloud, to_resolve);
+  return sheets.estimate.gap > 0 || (sheets.may_exist && !are_clumps);
 }
 
 /** See WideNoise::excess. */
@@ -136,7 +176,8 @@ estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Exe
   ThinnedNoiseOfCloud cloud (graph, nodes, still);
   const int to_resolve = halvingsToResolve (cloud);
   const WideNoise wide = to_resolve > 0 ? wideNoiseOfCloud (cloud, to_resolve) : wideNoiseOfPart (cloud);
-  return wide.sigma > 0 && mayBeSheets (nodes, cloud.noise (0), still) ? WideNoise () : wide;
+  return wide.sigma > 0 && mayBeSheets (cloud, to_resolve, detectSheets (nodes, cloud.noise (0), still)) ? WideNoise ()
+                                                                                                        : wide;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

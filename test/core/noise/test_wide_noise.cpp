@@ -64,6 +64,23 @@ TEST (WideNoiseTest, ClumpsHideIt)
   EXPECT_GT (halvingsOf (crossingSweeps (0.003)).valueAt ({.5f, .5f, 0}, -1), 0.5f);
 }
 
+TEST (WideNoiseTest, FramesOfAStillCameraHideIt)
+{
+  for (const double noise : {0.2, 0.5}) {
+    const WideNoise wide = wideNoiseOf (framesOfAStillCamera (noise, 0));
+    EXPECT_GT (wide.sigma, 0.75 * noise);
+    EXPECT_LT (wide.sigma, 1.25 * noise);
+    EXPECT_TRUE (wide.is_everywhere);
+  }
+  EXPECT_EQ (wideNoiseOf (framesOfAStillCamera (0.001, 0)).sigma, 0);
+}
+
+TEST (WideNoiseTest, TwoSheetsInClumpsAreNone)
+{
+  for (const double noise : {0.05, 0.1, 0.2})
+    EXPECT_EQ (wideNoiseOf (framesOfAStillCamera (noise, 1)).sigma, 0) << noise;
+}
+
 TEST (WideNoiseTest, DetailIsNoClumps)
 {
   for (const double noise : {0.6, 0.7, 0.8})

@@ -42,6 +42,25 @@ crossingSweeps (double noise)
   return points;
 }
 
+/** Eight frames laid over each other, one length unit to a pixel, along whose rays there is noise.
+  * \param[in] gap every second frame sees another sheet, so far behind */
+inline Vectors
+framesOfAStillCamera (double noise, double gap)
+{
+  constexpr std::uint64_t side = 50, frames = 8;
+  constexpr double jitter = 0.1;
+  Vectors points;
+  for (std::uint64_t i = 0; i < side * side * frames; ++i) {
+    const std::uint64_t pixel = i / frames;
+    const double behind = gap * static_cast<double> (i % 2);
+    points.push_back (Eigen::Vector3d (static_cast<double> (pixel % side) + jitter * gaussianNoise (8, i),
+                                       static_cast<double> (pixel / side) + jitter * gaussianNoise (9, i),
+                                       behind + noise * gaussianNoise (7, i))
+                          .cast<float> ());
+  }
+  return points;
+}
+
 /** A disc full of steep pits, eight spacings wide. */
 inline Vectors
 pits (double noise)
