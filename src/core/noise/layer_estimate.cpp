@@ -17,7 +17,7 @@ namespace core
 namespace
 {
 constexpr double cosine_of_parallel = 1 - 1e-5;
-constexpr double min_share_flat = .1;
+constexpr double min_share_flat = .05; // noise leaves none; a scan of a table with a frayed wall has .1
 constexpr double min_share_parallel = .5; // of those that are flat
 constexpr double min_share_off = .1;      // likewise: have points near that are off their plane
 constexpr float max_deviation = .4f;      // of half of the steps, as a logarithm: terraces differ more

@@ -138,6 +138,15 @@ TEST (LayersTest, AreSeenWhateverTheStepAndTheTurn)
     }
 }
 
+TEST (LayersTest, AreSeenWhereMostOfTheCloudHasNone)
+{
+  Vectors points = inSteps (tilted, 0.03);
+  for (std::size_t i = 0; i < points.size (); ++i)
+    if (points[i].x () < 0.9f * side * spacing)
+      points[i].z () += static_cast<float> (0.3 * spacing * gaussianNoise (9, i));
+  EXPECT_TRUE (haveLayers (points));
+}
+
 TEST (LayersTest, CleanShapesHaveNone)
 {
   const Vectors plane = planeGrid (side, spacing).points;
