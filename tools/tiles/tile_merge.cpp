@@ -82,8 +82,8 @@ private:
       numbers += " " + std::to_string (unfinished[i]);
     if (!unfinished.empty ())
       throw FileError (plan_.folder,
-                       "of its " + std::to_string (plan_.tiles.size ()) + " tiles these have no complete result:" +
-                           numbers + (unfinished.size () > 100 ? " ..." : ""),
+                       std::to_string (unfinished.size ()) + " of " + std::to_string (plan_.tiles.size ()) +
+                           " tiles have no complete result:" + numbers + (unfinished.size () > 100 ? " ..." : ""),
                        "run them");
     core::requireNormals (with_normal);
   }

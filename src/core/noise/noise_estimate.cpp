@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../quantile.h"
 #include "residual_quantiles.h"
+#include "thinned_noise.h"
 
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 
@@ -172,6 +173,12 @@ estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Executi
 
 NoiseEstimate
 estimateNoise (const NoiseSample& sample)
+{
+  return estimateNoise (sample, Pattern::CLUMPED);
+}
+
+NoiseEstimate
+estimateThinnedNoise (const NoiseSample& sample)
 {
   return estimateNoise (sample, Pattern::SCATTERED);
 }

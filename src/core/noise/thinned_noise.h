@@ -11,6 +11,10 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
+/** The estimate from the sample of a thinned cloud. There detail looks like clumps, so that none are looked for. */
+NoiseEstimate
+estimateThinnedNoise (const NoiseSample& sample);
+
 /** The noise as neighbourhoods in thinner clouds show it: in all of a cloud, in half of it, a quarter ... What was asked for is kept. */
 class ThinnedNoise
 {

@@ -36,8 +36,8 @@ struct NoiseEstimate
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
-/** The estimate from the sample of the whole cloud, without a look at how its points lie; nothing where most of its rows
-  * are short. */
+/** The estimate from the sample of the whole cloud, as if its neighbourhoods needed no widening; nothing where most of its
+  * rows are short. */
 NoiseEstimate
 estimateNoise (const NoiseSample& sample);
 
