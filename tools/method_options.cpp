@@ -2,7 +2,6 @@
 #include "method_options.h"
 
 #include "field_values.h"
-#include "tool.h"
 #include "tool_error.h"
 
 #include <pcl_normal_smoothing/core/error.h>
@@ -59,17 +58,6 @@ limitOf (const core::SmoothingOptions& method)
 }
 
 const std::string no_length = "inf";
-
-/** The options of \a names that were given, one after the other. */
-std::string
-givenOf (const std::vector<std::string>& names, const Options& options)
-{
-  std::string list;
-  for (const std::string& name : names)
-    if (options.given (name))
-      list += (list.empty () ? "" : " ") + name;
-  return list;
-}
 
 std::string
 optionIfFinite (const std::string& name, float number)
@@ -196,10 +184,7 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
       "layers of a depth camera are: inf; else max (4 S, min (4 largest S, 1.2 spacings)), but inf where 4 largest S "
       "are more than 3 times that, and for fast",
       [&, length] (const std::string& text) {
-        if (text == no_length)
-          settings.setSheetDistance (std::numeric_limits<double>::infinity ());
-        else
-          length (text);
+        text == no_length ? settings.setSheetDistance (std::numeric_limits<double>::infinity ()) : length (text);
       });
 }
 
@@ -215,25 +200,6 @@ checkOptions (const core::SmoothingOptions& method, int k)
   catch (const core::Error& error) {
     throw UsageError (error.what ());
   }
-}
-
-void
-noteSurprises (const Options& options, const core::SmoothingOptions& method)
-{
-  if (method.robust)
-    return;
-  const std::map<std::string, std::string> given = options.given ();
-  const auto preset = given.find ("-preset");
-  const bool meant =
-      given.count ("-weights") + given.count ("-update") > 0 || (preset != given.end () && preset->second == "paper");
-  const std::string of_chain =
-      givenOf ({"-mixed", "-threshold", "-sigma_s", "-normal_iterations", "-update_sigma_s"}, options);
-  if (!meant && !of_chain.empty ())
-    note (of_chain + ": of the paper's chain, which now runs in place of the rounds");
-  const std::string of_rounds = givenOf (
-      {"-noise_sigma", "-noise_varies", "-widen_neighborhoods", "-point_spacing", "-sheet_distance"}, options);
-  if (!of_rounds.empty ())
-    note (of_rounds + ": for the rounds of the presets default and fast, not used here");
 }
 
 void

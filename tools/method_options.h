@@ -47,11 +47,6 @@ addNoiseOptions (Options& options, SmoothingSettings& settings);
 void
 checkOptions (const core::SmoothingOptions& method, int k = 0);
 
-/** Notes on options that do something else than they seem to: those of the chain that make it run in place of the rounds,
-  * without being told to, and those of the rounds where the chain runs. */
-void
-noteSurprises (const Options& options, const core::SmoothingOptions& method);
-
 /** Which options make the paper's chain run, for the help. */
 extern const char* const presets_and_chain;
 

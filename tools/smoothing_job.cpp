@@ -2,6 +2,7 @@
 #include "smoothing_job.h"
 
 #include "cloud_graph.h"
+#include "option_notes.h"
 #include "smoothing_report.h"
 #include "tool.h"
 

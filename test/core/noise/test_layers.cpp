@@ -142,8 +142,7 @@ TEST (LayersTest, AreSeenWhereMostOfTheCloudHasNone)
 {
   Vectors points = inSteps (tilted, 0.03);
   for (std::size_t i = 0; i < points.size (); ++i)
-    if (points[i].x () < 0.9f * side * spacing)
-      points[i].z () += static_cast<float> (0.3 * spacing * gaussianNoise (9, i));
+    points[i].z () += static_cast<float> (points[i].x () < 0.9f * side * spacing ? 0.003 * gaussianNoise (9, i) : 0);
   EXPECT_TRUE (haveLayers (points));
 }
 
