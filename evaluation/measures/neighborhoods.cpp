@@ -32,9 +32,9 @@ lookAround (const core::NeighborGraph& graph, const core::Positions& nodes, std:
 {
   const std::uint32_t point = graph.order ()[node];
   const core::Row row = graph.row (node);
-  const std::uint32_t* first = graph.blockRows (node / graph.block_size) + node % graph.block_size;
+  const std::uint32_t* first = graph.blockRows (node / core::block_size) + node % core::block_size;
   for (std::size_t s = 0; s < neighborhood_sizes.size (); ++s) {
-    const core::Row part (first, std::min<std::size_t> (row.size (), neighborhood_sizes[s]), graph.block_size);
+    const core::Row part (first, std::min<std::size_t> (row.size (), neighborhood_sizes[s]), core::block_size);
     const core::LocalSurface surface = core::pcaSurface ({nodes, nodes.base[node], nodes.offset[node], part});
     result.variations[s][point] = surface.variation;
     if (s == size_of_normals)

@@ -9,11 +9,11 @@ using namespace test_support;
 TEST_P (KernelsTest, DistanceWeightsAreTheSameForEveryInstructionSet)
 {
   const std::size_t last = graph_->blockCount () - 1;
-  const std::size_t nodes_of_last = graph_->size () - NeighborGraph::block_size * last;
+  const std::size_t nodes_of_last = graph_->size () - block_size * last;
   expectAllTheSame ([&] (const Kernels& kernels) {
     std::vector<std::uint16_t> weights = distanceWeights (kernels);
     for (std::size_t i = graph_->blockBegin (last); i < weights.size (); ++i)
-      if (i % NeighborGraph::block_size >= nodes_of_last)
+      if (i % block_size >= nodes_of_last)
         weights[i] = 0; // a lane without a node of its own: kernels may leave it out
     return weights;
   });

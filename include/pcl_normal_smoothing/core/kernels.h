@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/block_size.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -8,7 +10,7 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** A block of 16 nodes: see NeighborGraph::blockRows. */
+/** A block of nodes: see NeighborGraph::blockRows. */
 struct BlockRows
 {
   const std::uint32_t* neighbors;
@@ -166,23 +168,23 @@ struct FarRowsStep
   NodeArrays nodes;                       // their normals are not read
   const std::uint32_t* const* block_rows; // of the graph
   const std::uint8_t* row_lengths;        // of all nodes, 32 at most
-  std::uint8_t* ranks;                    // out: 16 far_row_length of every block
+  std::uint8_t* ranks;                    // out: block_size far_row_length of every block
 };
 
-/** Lets 16 triples of points vote for the normals of their planes: see core/chain/hough.h. */
+/** Lets block_size triples of points vote for the normals of their planes: see core/chain/hough.h. */
 struct PlaneVotes
 {
-  const float* points;                // vectors of three floats
-  const std::uint32_t (*triples)[16]; // the first points, the second ones, the third ones
+  const float* points;                        // vectors of three floats
+  const std::uint32_t (*triples)[block_size]; // the first points, the second ones, the third ones
   const float (*rotation)[3];
   const float* band_cosine; // of the angle from the pole at which every band ends
   const float* band_begin;  // first bin of every band, then the number of bins
   std::uint32_t bands;
-  float (*normals)[16]; // out: x, y, z
-  std::int32_t* bins;   // out; -1 where three points span no plane
+  float (*normals)[block_size]; // out: x, y, z
+  std::int32_t* bins;           // out; -1 where three points span no plane
 };
 
-/** Points that may be neighbours; coordinates as in Positions, arrays readable up to a multiple of 16. */
+/** Points that may be neighbours; coordinates as in Positions, arrays readable up to a multiple of block_size. */
 struct Candidates
 {
   const float* base[3];
@@ -219,12 +221,12 @@ struct Kernels
   void (*find_far_rows) (const FarRowsStep& step, const BlockRows& rows);
   void (*vote_planes) (const PlaneVotes& votes);
   /** The candidates within the bound: their numbers and squared distances. Both outputs have room for candidates.count
-    * and 16 more. */
+    * and block_size more. */
   std::size_t (*select_near) (const Candidates& candidates,
                               const CandidateQuery& query,
                               float* sq_dists,
                               std::uint32_t* selected);
-  /** How many keys are smaller than each; whether all differ. Both arrays have room for 16 more. */
+  /** How many keys are smaller than each; whether all differ. Both arrays have room for block_size more. */
   bool (*rank_keys) (const float* keys, std::size_t count, std::int32_t* ranks);
 };
 

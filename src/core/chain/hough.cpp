@@ -19,8 +19,6 @@ namespace
 {
 constexpr float pi = 3.14159265f;
 
-constexpr std::size_t batch_size = 16; // of core/kernels.h
-
 using RowMajorMatrix = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 using Triple = std::array<std::uint32_t, 3>;
 
@@ -226,9 +224,9 @@ HoughEstimator::vote (const RowMajorMatrix& rotation,
   std::fill (bins.begin (), bins.end (), Bin ());
   const std::size_t limit = triples.limit ((max_triples_ - 1) / rotations_.size () + 1);
   Ballot ballot;
-  std::uint32_t drawn_triples[3][batch_size];
-  float normals[3][batch_size];
-  std::int32_t bin_numbers[batch_size];
+  std::uint32_t drawn_triples[3][block_size];
+  float normals[3][block_size];
+  std::int32_t bin_numbers[block_size];
   const PlaneVotes votes {points.data ()->data (),
                           drawn_triples,
                           reinterpret_cast<const float (*)[3]> (rotation.data ()),
@@ -237,9 +235,9 @@ HoughEstimator::vote (const RowMajorMatrix& rotation,
                           static_cast<std::uint32_t> (band_cosine_.size ()),
                           normals,
                           bin_numbers};
-  for (std::size_t drawn = 0; drawn < limit && !ballot.isDecided (bins, drawn); drawn += batch_size) {
-    const std::size_t size = std::min (batch_size, limit - drawn);
-    for (std::size_t i = 0; i < batch_size; ++i) {
+  for (std::size_t drawn = 0; drawn < limit && !ballot.isDecided (bins, drawn); drawn += block_size) {
+    const std::size_t size = std::min (block_size, limit - drawn);
+    for (std::size_t i = 0; i < block_size; ++i) {
       const Triple triple = i < size ? triples.next () : Triple {};
       for (std::size_t corner = 0; corner < 3; ++corner)
         drawn_triples[corner][i] = triple[corner];

@@ -17,7 +17,7 @@ public:
   NextRows (const FarRowsStep& step, const std::uint32_t* neighbor)
   {
     for (int lane = 0; lane < lane_count; ++lane) {
-      first_[lane] = step.block_rows[neighbor[lane] / 16] + neighbor[lane] % 16;
+      first_[lane] = step.block_rows[neighbor[lane] / block_size] + neighbor[lane] % block_size;
       last_[lane] = step.row_lengths[neighbor[lane]] - 1;
     }
   }
@@ -29,7 +29,7 @@ public:
     for (int lane = 0; lane < lane_count; ++lane) {
       const std::int32_t rank = ranks[lane] + offset, wanted = rank > 1 ? rank : 1;
       there[lane] = wanted < last_[lane] ? wanted : last_[lane];
-      index[lane] = first_[lane][16 * there[lane]];
+      index[lane] = first_[lane][block_size * there[lane]];
     }
   }
 
@@ -46,8 +46,8 @@ findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
   constexpr std::int32_t rank_window = 2; // the way on is about as long as that to the neighbour, and so is its rank
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
-  const std::size_t block = own[0] / 16;
-  std::uint8_t* ranks = step.ranks + 16 * far_row_length * block + first;
+  const std::size_t block = own[0] / block_size;
+  std::uint8_t* ranks = step.ranks + block_size * far_row_length * block + first;
   std::uint32_t lengths[lane_count];
   for (int lane = 0; lane < lane_count; ++lane)
     lengths[lane] = step.row_lengths[own[lane]];
@@ -56,7 +56,7 @@ findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
     std::uint32_t neighbor[lane_count];
     for (int lane = 0; lane < lane_count; ++lane) {
       seeds[lane] = static_cast<std::int32_t> (seedRank (slot, lengths[lane]));
-      neighbor[lane] = own[16 * seeds[lane] + lane];
+      neighbor[lane] = own[block_size * seeds[lane] + lane];
     }
     const Lanes3 end = splat (2) * points.difference (neighbor);
     const NextRows next (step, neighbor);
@@ -74,7 +74,7 @@ findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
     }
     nearest = isOther (neighbor, own) ? nearest : Mask {};
     const Bytes bytes = __builtin_convertvector(nearest, Bytes);
-    std::memcpy (ranks + 16 * slot, &bytes, sizeof bytes);
+    std::memcpy (ranks + block_size * slot, &bytes, sizeof bytes);
   }
 }
 } // namespace PCL_NORMAL_SMOOTHING_ISA

@@ -23,14 +23,14 @@ keepApart (const KeepApartStep& step, const BlockRows& rows, int first)
   const std::size_t count = rows.length < max_near ? rows.length : max_near;
   Lanes sq_reach = {}; // of the eighth, or the last of a shorter row
   for (std::size_t j = 1; j < (count < nearest ? count : nearest); ++j) {
-    const Lanes3 way = before.difference (own + 16 * j);
-    sq_reach = isOther (own + 16 * j, own) ? dot (way, way) : sq_reach;
+    const Lanes3 way = before.difference (own + block_size * j);
+    sq_reach = isOther (own + block_size * j, own) ? dot (way, way) : sq_reach;
   }
   const Lanes spacing = 0.62665707f * squareRoot (sq_reach); // sqrt (pi / 8)
   Mask may_move = normal.x == normal.x;
   Lanes3 sum = {};
   for (std::size_t j = 1; j < count; ++j) {
-    const std::uint32_t* index = own + 16 * j;
+    const std::uint32_t* index = own + block_size * j;
     if (j <= beside) {
       const Lanes cosine = dot (normal, load3 (step.nodes.normals, index));
       may_move = may_move & (similarity (cosine, step.oriented) > 0.5f);

@@ -27,13 +27,16 @@ using LanesKernel = void (*) (const Arguments&, const BlockRows&, int);
 template <typename Arguments>
 using BlockKernel = void (*) (const Arguments&, const BlockRows&);
 
+constexpr int lanes_of_block = block_size;
+static_assert (lanes_of_block % lane_count == 0);
+
 /** Runs a kernel on all lanes of a block that hold a node of their own: those behind the last node repeat it, and a
   * kernel that works in place must not meet its own result. */
 template <typename Arguments, LanesKernel<Arguments> kernel>
 void
 onBlock (const Arguments& arguments, const BlockRows& rows)
 {
-  for (int first = 0; first < 16 && (first == 0 || rows.neighbors[first] != rows.neighbors[first - 1]);
+  for (int first = 0; first < lanes_of_block && (first == 0 || rows.neighbors[first] != rows.neighbors[first - 1]);
        first += lane_count)
     kernel (arguments, rows, first);
 }
@@ -42,8 +45,8 @@ onBlock (const Arguments& arguments, const BlockRows& rows)
 bool
 rowsAreFull (const BlockRows& rows)
 {
-  const std::uint32_t* last = rows.neighbors + 16 * (rows.length - 1);
-  for (int lane = 0; lane < 16; ++lane)
+  const std::uint32_t* last = rows.neighbors + block_size * (rows.length - 1);
+  for (int lane = 0; lane < lanes_of_block; ++lane)
     if (last[lane] == rows.neighbors[lane])
       return false;
   return true;
@@ -84,7 +87,7 @@ whereComplete (const Step& step, const BlockRows& rows)
 void
 voteAllPlanes (const PlaneVotes& votes)
 {
-  for (int first = 0; first < 16; first += lane_count)
+  for (int first = 0; first < lanes_of_block; first += lane_count)
     votePlanes (votes, first);
 }
 

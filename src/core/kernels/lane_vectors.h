@@ -3,6 +3,8 @@
 
 #include "lanes.h"
 
+#include <pcl_normal_smoothing/core/block_size.h>
+
 namespace pcl_normal_smoothing
 {
 namespace core
@@ -219,7 +221,8 @@ private:
 };
 
 /** For isOther: whatever the neighbour, it is another. */
-constexpr std::uint32_t no_nodes[16] = {~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u};
+constexpr std::uint32_t no_nodes[block_size] = {~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u,
+                                                ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u};
 
 /** Ones in the lanes whose neighbour is not the node itself: a row that is shorter than its block's repeats the node. */
 LANES_INLINE Mask

@@ -55,8 +55,8 @@ struct LocalPointsOf
     const Points points (nodes.base, nodes.offset, own);
     Lanes farthest = {};
     for (std::size_t j = 0; j < count; ++j) {
-      at[j] = points.difference (own + 16 * j);
-      one[j] = isOther (own + 16 * j, own) | (j == 0 ? -1 : 0) ? splat (1) : splat (0);
+      at[j] = points.difference (own + block_size * j);
+      one[j] = isOther (own + block_size * j, own) | (j == 0 ? -1 : 0) ? splat (1) : splat (0);
       farthest = maximum (farthest, dot (at[j], at[j]));
     }
     reach = squareRoot (farthest);

@@ -17,11 +17,11 @@ distanceWeights (const DistanceWeights& task, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (task.nodes.base, task.nodes.offset, own);
-  const auto read = [&] (std::size_t j) LANES_LAMBDA { return points.difference (own + 16 * j); };
+  const auto read = [&] (std::size_t j) LANES_LAMBDA { return points.difference (own + block_size * j); };
   const NeighborValues<Lanes3, decltype (read)> differences (read, rows.length);
   Lanes sum = {}, count = {};
   for (std::size_t j = 1; j < rows.length; ++j) {
-    const Lanes one = isOther (own + 16 * j, own) ? splat (1) : splat (0);
+    const Lanes one = isOther (own + block_size * j, own) ? splat (1) : splat (0);
     sum += one * squareRoot (dot (differences (j), differences (j)));
     count += one;
   }
@@ -29,8 +29,9 @@ distanceWeights (const DistanceWeights& task, const BlockRows& rows, int first)
   const Lanes factor = sum > 0 ? 1 / (2 * (sigma_c * sigma_c)) : splat (0);
   for (std::size_t j = 0; j < rows.length; ++j) {
     Lanes weight = expOfMinus (dot (differences (j), differences (j)) * factor);
-    weight = isOther (own + 16 * j, j == 0 ? no_nodes : own) ? weight : splat (0);
-    storeShorts (task.weights + rows.begin + first + 16 * j, max_short * maximum (weight, splat (0))); // NaN: too far
+    weight = isOther (own + block_size * j, j == 0 ? no_nodes : own) ? weight : splat (0);
+    storeShorts (task.weights + rows.begin + first + block_size * j,
+                 max_short * maximum (weight, splat (0))); // NaN: too far
   }
 }
 
@@ -56,7 +57,7 @@ mixedThreshold (const NormalFilterStep& step, const BlockRows& rows, const std::
   Lanes sum = {}, count = splat (1);
   for (std::size_t j = 1; j < rows.length; ++j) {
     const Lanes x = 1 - similarity (dot (normals (0), normals (j)), step.oriented);
-    const Mask other = isOther (own + 16 * j, own);
+    const Mask other = isOther (own + block_size * j, own);
     sum += (other & (x == x)) ? x * x : splat (0);
     count += other ? splat (1) : splat (0);
   }
@@ -90,8 +91,8 @@ weightedSum (const NormalFilterStep& step, const BlockRows& rows, int first, Lan
     const Lanes cosine = dot (own_normal, normal);
     Lanes weight = normalWeight<kind> (step, threshold, similarity (cosine, step.oriented));
     if (kind != 0)
-      weight *= loadShorts (step.distance_weights + rows.begin + first + 16 * j);
-    const Mask counts = (cosine == cosine) & isOther (own + 16 * j, j == 0 ? no_nodes : own);
+      weight *= loadShorts (step.distance_weights + rows.begin + first + block_size * j);
+    const Mask counts = (cosine == cosine) & isOther (own + block_size * j, j == 0 ? no_nodes : own);
     const Lanes3 term = turned (weight, cosine, step.oriented) * normal;
     sum = sum + (complete ? term : choose (counts, term, Lanes3 {}));
   }
@@ -104,7 +105,7 @@ LANES_INLINE void
 filterNormals (const NormalFilterStep& step, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const auto read = [&] (std::size_t j) LANES_LAMBDA { return load3 (step.nodes.normals, own + 16 * j); };
+  const auto read = [&] (std::size_t j) LANES_LAMBDA { return load3 (step.nodes.normals, own + block_size * j); };
   Lanes3 sum;
   if constexpr (kind == 2) {
     const NeighborValues<Lanes3, decltype (read)> normals (read, rows.length);

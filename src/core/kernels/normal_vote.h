@@ -27,7 +27,7 @@ struct Electorate
     for (std::size_t j = 0; j < local.count; ++j) {
       exponents[j] = 2 * dot (local.at[j], local.at[j]);
       if (step.agreement > 0)
-        normals[j] = load3 (step.nodes.normals, own + 16 * j);
+        normals[j] = load3 (step.nodes.normals, own + block_size * j);
     }
   }
 
@@ -67,7 +67,7 @@ electNormals (const NormalVoteStep& step, const BlockRows& rows, int first)
   Lanes most = splat (-1);
   const std::size_t candidates = local.count < max_candidates ? local.count : max_candidates;
   for (std::size_t c = 0; c < candidates; ++c) {
-    const Lanes3 normal = load3 (step.nodes.normals, own + 16 * c);
+    const Lanes3 normal = load3 (step.nodes.normals, own + block_size * c);
     Lanes support = electorate.ofPoints (normal);
     if (step.agreement > 0)
       support += step.agreement * electorate.ofNormals (normal);

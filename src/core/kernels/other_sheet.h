@@ -20,7 +20,7 @@ countOthers (const OtherSheetTest& test, const BlockRows& rows, int first)
   Lanes others = {};
   for (std::size_t j = 1; j < rows.length; ++j) {
     Lanes3 normal;
-    const Lanes3 difference = points.difference (own + 16 * j, test.nodes.normals, normal);
+    const Lanes3 difference = points.difference (own + block_size * j, test.nodes.normals, normal);
     const Lanes cosine = dot (own_normal, normal);
     const Lanes height = 0.5f * (dot (own_normal, difference) + turned (dot (normal, difference), cosine, false));
     Mask other = (absolute (cosine) > test.min_cosine) &

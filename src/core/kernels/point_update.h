@@ -71,8 +71,9 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
   const Lanes3 own_normal = load3 (step.nodes.normals, own);
-  const auto read = [&] (std::size_t j)
-                        LANES_LAMBDA { return neighborPlane<compensated> (step, points, own_normal, own + 16 * j); };
+  const auto read = [&] (std::size_t j) LANES_LAMBDA {
+    return neighborPlane<compensated> (step, points, own_normal, own + block_size * j);
+  };
   const NeighborValues<NeighborPlane, decltype (read)> neighbors (read, rows.length);
   const Lanes reach_factor = reachFactor (neighbors, rows) * step.reach_scale;
   const Lanes residual_factor = step.residual_factor / load1OrOne (step.variance_factors, own);
@@ -85,7 +86,7 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
     const Lanes exponent = neighbor.sq_dist * reach_factor + x * x * step.normal_factor;
     const Lanes weight = robust ? bell (exponent + height * height * residual_factor) : expOfMinus (exponent);
     const Lanes3 term = (weight * height) * neighbor.normal;
-    const Mask counts = (x == x) & isOther (own + 16 * j, own);
+    const Mask counts = (x == x) & isOther (own + block_size * j, own);
     weights += complete ? weight : counts ? weight : splat (0);
     sum = sum + (complete ? term : choose (counts, term, Lanes3 {}));
   }

@@ -79,7 +79,7 @@ neighborExponents (const QuadricFitStep& step,
   for (std::size_t j = 0; j < local.count; ++j) {
     exponents[j] = 2 * dot (local.at[j], local.at[j]);
     if (step.by_normal) {
-      const Lanes cosine = dot (own_normal, load3 (step.nodes.normals, own + 16 * j));
+      const Lanes cosine = dot (own_normal, load3 (step.nodes.normals, own + block_size * j));
       const Lanes x = 1 - similarity (cosine, step.oriented);
       exponents[j] += x == x ? x * 6.25f : splat (0);
     }

@@ -40,7 +40,7 @@ averagingWeights (const StepControl& control, const BlockRows& rows, int first)
   const Lanes3 own_normal = load3 (control.nodes.normals, own);
   const LocalPoints local (control.nodes, rows, own);
   const auto weightOf = [&] (std::size_t j) LANES_LAMBDA {
-    const Lanes cosine = dot (own_normal, load3 (control.nodes.normals, own + 16 * j));
+    const Lanes cosine = dot (own_normal, load3 (control.nodes.normals, own + block_size * j));
     const Lanes x = 1 - similarity (cosine, control.oriented);
     const Lanes exponent = 0.5f * dot (local.at[j], local.at[j]) + x * 2.0408163f; // |n_i - n_j|^2 / (2 .7^2)
     const Lanes weight = x == x ? local.one[j] * bell (exponent) : splat (0);
@@ -63,7 +63,7 @@ averageRisks (const StepControl& control, const BlockRows& rows, int first)
   Lanes sum_product = {}, sum_size = {}, sum = {};
   const auto add = [&] (Mask number, std::size_t j) LANES_LAMBDA {
     const Lanes weight = __builtin_convertvector(number, Lanes);
-    const Lanes2 risk = load2 (control.risks, own + 16 * j);
+    const Lanes2 risk = load2 (control.risks, own + block_size * j);
     sum += weight;
     sum_product += weight * risk.x;
     sum_size += weight * risk.y;

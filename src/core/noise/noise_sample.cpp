@@ -85,7 +85,7 @@ searchedRows (const NeighborGraph& graph,
   return rows;
 }
 
-/** The rows of 16 nodes side by side, as a graph keeps those of a block, of positions of their own: those of the cloud, and a number for
+/** The rows of some nodes side by side, as a graph keeps those of a block, of positions of their own: those of the cloud, and a number for
   * every one of them, lie far apart in memory. */
 class SampleBlock
 {
@@ -106,7 +106,7 @@ public:
   }
 
   /** \return what a quadric leaves of the nearest \a count of every row */
-  std::array<float, NeighborGraph::block_size>
+  std::array<float, block_size>
   variances (std::size_t count) const
   {
     std::array<float, lanes> of_lanes;
@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t lanes = NeighborGraph::block_size, size = lanes * row_length;
+  static constexpr std::uint32_t lanes = block_size, size = lanes * row_length;
 
   Positions positions_;
   std::vector<std::uint32_t> neighbors_;
@@ -132,7 +132,6 @@ residualsAt (const Positions& nodes, const std::uint32_t* row)
 NoiseSample
 residualsOf (const Positions& nodes, const SampleRows& rows, const Execution& execution)
 {
-  constexpr std::size_t block_size = NeighborGraph::block_size;
   NoiseSample sample;
   sample.of_nodes.resize (rows.size () / row_length);
   const auto read = [&] (std::size_t begin) {

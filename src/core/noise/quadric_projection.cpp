@@ -54,7 +54,7 @@ public:
   BlockRows
   rows (std::size_t block, const CountOf& countOf, Scratch& scratch) const
   {
-    constexpr std::size_t lanes = NeighborGraph::block_size;
+    constexpr std::size_t lanes = block_size;
     const auto nodeOf = [&] (std::size_t lane) {
       return static_cast<std::uint32_t> (std::min (block * lanes + lane, size_ - 1));
     };

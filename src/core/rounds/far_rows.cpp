@@ -10,11 +10,6 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-namespace
-{
-constexpr std::size_t block_size = NeighborGraph::block_size;
-} // namespace
-
 FarRows::FarRows (const NeighborGraph& graph, const NodeArrays& nodes, const Execution& execution)
 : graph_ (graph), row_lengths_ (graph.size ()), ranks_ (graph.blockCount () * block_size * far_row_length)
 {

@@ -151,7 +151,7 @@ private:
     step.all_normals = all_normals_;
     step.filtered = other_.data ()->data ();
     forRowsOfRound ([&] (const BlockRows& rows) {
-      std::uint16_t distance_weights[NeighborGraph::block_size * max_k];
+      std::uint16_t distance_weights[block_size * max_k];
       kernels ().distance_weights ({step.nodes, distance_weights}, rows);
       NormalFilterStep of_block = step;
       of_block.distance_weights = distance_weights;

@@ -12,7 +12,6 @@ namespace
 {
 constexpr float infinity = std::numeric_limits<float>::infinity ();
 constexpr auto no_slot = std::numeric_limits<std::uint32_t>::max ();
-constexpr std::size_t whole_lanes = 16;
 // Up to here counting smaller keys for every key beats a sort.
 constexpr std::size_t max_ranked = 160;
 
@@ -42,7 +41,7 @@ sqBoundOf (float radius)
 float
 kthKey (float* keys, std::size_t size, std::size_t k, std::vector<std::int32_t>& ranks)
 {
-  ranks.resize (std::max (ranks.size (), max_ranked + whole_lanes));
+  ranks.resize (std::max (ranks.size (), max_ranked + block_size));
   if (size <= max_ranked && kernels ().rank_keys (keys, size, ranks.data ())) {
     const auto kth = std::find (ranks.begin (), ranks.end (), static_cast<std::int32_t> (k - 1));
     return keys[kth - ranks.begin ()];
@@ -135,7 +134,7 @@ KdTree::ballRadius (const Coordinates& centre, std::size_t branch, std::size_t k
   if (range.end - range.begin < k)
     return infinity;
   const std::size_t size = range.end - range.begin;
-  scratch.sq_dists.resize (std::max (scratch.sq_dists.size (), size + whole_lanes));
+  scratch.sq_dists.resize (std::max (scratch.sq_dists.size (), size + block_size));
   float* const sq_dists = scratch.sq_dists.data ();
   for (std::size_t i = 0; i < size; ++i) {
     const Coordinates at = slotCoordinates (range.begin + i);
@@ -223,7 +222,7 @@ KdTree::selectNearest (const CandidateQuery& query, std::uint32_t excluded, std:
 bool
 KdTree::rankRow (std::size_t found, std::uint32_t excluded, std::size_t count, Scratch& scratch) const
 {
-  scratch.ranks.resize (max_ranked + whole_lanes);
+  scratch.ranks.resize (max_ranked + block_size);
   if (!kernels ().rank_keys (scratch.sq_dists.data (), found, scratch.ranks.data ()))
     return false;
   // All distances differ, so the excluded point, at distance 0, comes first.

@@ -17,12 +17,12 @@ using namespace test_support;
 std::vector<std::uint32_t>
 farRow (const NeighborGraph& graph, const FarRows& rows, std::size_t node)
 {
-  const std::size_t block = node / NeighborGraph::block_size, lane = node % NeighborGraph::block_size;
+  const std::size_t block = node / block_size, lane = node % block_size;
   FarRows::Buffer buffer;
   const BlockRows far = rows.ofBlock ({graph.blockRows (block), graph.blockLength (block)}, buffer);
   std::vector<std::uint32_t> row;
   for (std::size_t slot = 0; slot < far.length; ++slot)
-    row.push_back (far.neighbors[slot * NeighborGraph::block_size + lane]);
+    row.push_back (far.neighbors[slot * block_size + lane]);
   return row;
 }
 

@@ -22,7 +22,7 @@ public:
   /** What the rows of a block are put into. */
   struct alignas (64) Buffer
   {
-    std::uint32_t neighbors[far_row_length * NeighborGraph::block_size];
+    std::uint32_t neighbors[far_row_length * block_size];
   };
 
   /** \param[in] rows of a block of the graph \return its far rows, in \a buffer */
@@ -32,7 +32,7 @@ public:
 private:
   const NeighborGraph& graph_;
   PaddedVector<std::uint8_t> row_lengths_; // of all nodes, max_k at most
-  PaddedVector<std::uint8_t> ranks_; // of what stands there among the neighbour's neighbours: 0 is the neighbour
+  PaddedVector<std::uint8_t> ranks_;       // of what stands there among the neighbour's neighbours: 0 is the neighbour
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

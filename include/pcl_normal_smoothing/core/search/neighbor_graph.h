@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/block_size.h>
 #include <pcl_normal_smoothing/core/search/distinct_points.h>
 #include <pcl_normal_smoothing/core/search/neighbor.h>
 
@@ -76,9 +77,7 @@ public:
   Row
   row (std::size_t node) const;
 
-  /** Nodes come in blocks of as many, for kernels that work on several at once. */
-  static constexpr std::size_t block_size = 16;
-
+  /** Nodes come in blocks of block_size, for kernels that work on several at once. */
   std::size_t
   blockCount () const
   {

@@ -14,7 +14,7 @@ namespace core
 inline std::size_t
 pairsBegin (const NeighborGraph& graph, std::size_t block)
 {
-  return (graph.blockBegin (block) + NeighborGraph::block_size * block) / 2; // an odd neighbour has a byte of its own
+  return (graph.blockBegin (block) + block_size * block) / 2; // an odd neighbour has a byte of its own
 }
 
 /** Calls \a body for all blocks of nodes, from all threads. */
@@ -42,7 +42,6 @@ forEachBlockOf (const NeighborGraph& graph,
                 const Execution& execution,
                 const Body& body)
 {
-  constexpr std::size_t block_size = NeighborGraph::block_size;
   const auto gather = [&] (std::size_t block, std::vector<std::uint32_t>& neighbors) {
     std::size_t length = 0;
     for (std::size_t lane = 0; lane < block_size; ++lane) {
