@@ -171,22 +171,18 @@ TEST_P (KernelsTest, StepsAreTheSameForEveryInstructionSet)
       std::vector<std::uint8_t> weights (pairsBegin (*graph_, graph_->blockCount ()));
       Numbers moved (nodes_.size (), .01f), risks (2 * nodes_.size ()), averaged (risks.size ());
       Vectors proposed = nodes_.base; // in place: no lane may meet what another has taken
-      StepControl control {};
-      control.nodes = nodeArrays (nodes_, normals_);
-      control.proposed = control.taken = proposed.data ()->data ();
-      control.moved = moved.data ();
-      control.first_round = first_round;
-      control.weights = weights.data ();
-      control.risks = risks.data ();
-      control.averaged = averaged.data ();
-      control.gain = .3f;
       const Numbers factors = factorsOfNodes ();
-      control.variance_factors = first_round ? nullptr : factors.data ();
-      control.max_displacement = .4f;
-      for (const auto kernel : {kernels.step_risks, kernels.averaging_weights, kernels.average_risks})
-        forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernel (control, rows); });
-      control.risks = averaged.data ();
-      forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels.take_steps (control, rows); });
+      const NodeArrays nodes = nodeArrays (nodes_, normals_);
+      const StepGain gain {.3f, first_round ? nullptr : factors.data ()};
+      float* steps = proposed.data ()->data ();
+      const auto run = [&] (const auto& kernel, const auto& task) {
+        forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernel (task, rows); });
+      };
+      run (kernels.step_risks, StepRisks {nodes, steps, moved.data (), gain, risks.data ()});
+      run (kernels.averaging_weights, AveragingWeights {nodes, false, weights.data ()});
+      run (kernels.average_risks, RiskAverages {weights.data (), risks.data (), averaged.data ()});
+      run (kernels.take_steps, StepsToTake {nodes, nullptr, steps, averaged.data (), gain, .4f,
+                                            first_round ? nullptr : moved.data (), steps});
       std::vector<float> result (moved.begin (), moved.end ());
       for (const auto& offset : proposed)
         result.insert (result.end (), offset.data (), offset.data () + 3);
@@ -217,16 +213,15 @@ TEST_P (KernelsTest, TheWayAlongTheNormalIsAddedUpFromTheSecondRoundOn)
     const Vectors proposed = withNoise (nodes_.offset, 0.02, 123);
     Vectors taken (proposed.size ());
     Numbers moved (nodes_.size (), .01f), risks (2 * nodes_.size (), 1);
-    StepControl control {};
-    control.nodes = nodeArrays (nodes_, normals_);
-    control.proposed = proposed.data ()->data ();
-    control.taken = taken.data ()->data ();
-    control.moved = moved.data ();
-    control.first_round = first_round;
-    control.risks = risks.data ();
-    control.gain = 10; // more than any risk: whole steps
-    control.max_displacement = infinity;
-    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels ().take_steps (control, rows); });
+    StepsToTake steps {};
+    steps.nodes = nodeArrays (nodes_, normals_);
+    steps.proposed = proposed.data ()->data ();
+    steps.risks = risks.data ();
+    steps.gain.usual = 10; // more than any risk: whole steps
+    steps.max_displacement = infinity;
+    steps.moved = first_round ? nullptr : moved.data ();
+    steps.taken = taken.data ()->data ();
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels ().take_steps (steps, rows); });
     for (std::size_t i = 0; i < nodes_.size (); ++i) {
       const float way = (proposed[i] - nodes_.offset[i]).dot (normals_[i]);
       EXPECT_NEAR (moved[i], .01f + (first_round || std::isnan (way) ? 0 : way), 1e-6f) << "node " << i;

@@ -123,22 +123,52 @@ struct QuadricFitStep
   float* fitted; // out
 };
 
-/** How much of a proposed step to take: see core/rounds/robust_smoothing.h. */
-struct StepControl
+// How much of a proposed step to take, in four tasks, each of all nodes before the next: see core/rounds/robust_smoothing.h.
+
+/** What a step may cost. */
+struct StepGain
+{
+  float usual;
+  const float* variance_factors; // of the noise, of all nodes; null: 1
+};
+
+/** Tells what the proposed steps risk. */
+struct StepRisks
+{
+  NodeArrays nodes;
+  const float* proposed; // offsets
+  const float* moved;    // along the normals since the first round
+  StepGain gain;
+  float* risks; // out: two numbers a node
+};
+
+/** Weighs every neighbour for the averages. */
+struct AveragingWeights
+{
+  NodeArrays nodes;
+  bool oriented;
+  std::uint8_t* weights; // out: of all neighbours, from 0 to 15, two a byte
+};
+
+/** Averages the risks over the neighbourhoods, once. */
+struct RiskAverages
+{
+  const std::uint8_t* weights; // of AveragingWeights
+  const float* risks;          // two numbers a node
+  float* averaged;             // out: the same
+};
+
+/** Takes as much of every step as its risk allows. */
+struct StepsToTake
 {
   NodeArrays nodes;
   const float* start;    // offsets before the first round; null where all are zero
   const float* proposed; // offsets
-  float* moved;          // along the normals since the first round
-  bool first_round;
-  bool oriented;
-  std::uint8_t* weights;         // of all neighbours, from 0 to 15, two a byte
-  float* risks;                  // two numbers a node
-  float* averaged;               // out of average_risks
-  float gain;                    // what a step may cost
-  const float* variance_factors; // of the noise, of all nodes; null: 1
+  const float* risks;    // averaged: two numbers a node
+  StepGain gain;
   float max_displacement;
-  float* taken; // out of take_steps: offsets; may be the proposed ones
+  float* moved; // in and out: along the normals since the first round; null in that one, which does not count
+  float* taken; // out: offsets; may be the proposed ones
 };
 
 /** Moves points along the surface that came too close to each other: see core/rounds/robust_smoothing.h. */
@@ -213,10 +243,10 @@ struct Kernels
   void (*residual_variances) (const NumberOfNodes& variances, const BlockRows& rows);
   void (*project_points) (const QuadricProjection& projection, const BlockRows& rows);
   void (*fit_normals) (const QuadricFitStep& step, const BlockRows& rows);
-  void (*step_risks) (const StepControl& control, const BlockRows& rows);
-  void (*averaging_weights) (const StepControl& control, const BlockRows& rows);
-  void (*average_risks) (const StepControl& control, const BlockRows& rows);
-  void (*take_steps) (const StepControl& control, const BlockRows& rows);
+  void (*step_risks) (const StepRisks& task, const BlockRows& rows);
+  void (*averaging_weights) (const AveragingWeights& task, const BlockRows& rows);
+  void (*average_risks) (const RiskAverages& task, const BlockRows& rows);
+  void (*take_steps) (const StepsToTake& task, const BlockRows& rows);
   void (*keep_apart) (const KeepApartStep& step, const BlockRows& rows);
   void (*find_far_rows) (const FarRowsStep& step, const BlockRows& rows);
   void (*vote_planes) (const PlaneVotes& votes);

@@ -12,36 +12,36 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 {
 /** What a step of the lanes' points may cost. */
 LANES_INLINE Lanes
-gainOf (const StepControl& control, const std::uint32_t* own)
+gainOf (const StepGain& gain, const std::uint32_t* own)
 {
-  return control.gain * load1OrOne (control.variance_factors, own);
+  return gain.usual * load1OrOne (gain.variance_factors, own);
 }
 
 /** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and |d.n|.
   * The first is bounded: an outlier, which goes the same way round after round, says nothing of the points around. */
 LANES_INLINE void
-stepRisks (const StepControl& control, const BlockRows& rows, int first)
+stepRisks (const StepRisks& task, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const Lanes3 normal = load3 (control.nodes.normals, own), offset = load3OrZero (control.nodes.offset, own);
-  const Lanes step = dot (load3 (control.proposed, own) - offset, normal);
+  const Lanes3 normal = load3 (task.nodes.normals, own), offset = load3OrZero (task.nodes.offset, own);
+  const Lanes step = dot (load3 (task.proposed, own) - offset, normal);
   const Mask valid = normal.x == normal.x;
-  const Lanes bound = 3 * gainOf (control, own);
-  const Lanes product = minimum (maximum (load1 (control.moved, own) * step, -bound), bound);
-  store2 (control.risks, own, {valid ? product : splat (0), valid ? absolute (step) : splat (0)});
+  const Lanes bound = 3 * gainOf (task.gain, own);
+  const Lanes product = minimum (maximum (load1 (task.moved, own) * step, -bound), bound);
+  store2 (task.risks, own, {valid ? product : splat (0), valid ? absolute (step) : splat (0)});
 }
 
 /** Weights for averaging over neighbours: near, and with a similar normal; from 0 to 15. */
 LANES_INLINE void
-averagingWeights (const StepControl& control, const BlockRows& rows, int first)
+averagingWeights (const AveragingWeights& task, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  std::uint8_t* weights = control.weights + rows.pairs_begin + first;
-  const Lanes3 own_normal = load3 (control.nodes.normals, own);
-  const LocalPoints local (control.nodes, rows, own);
+  std::uint8_t* weights = task.weights + rows.pairs_begin + first;
+  const Lanes3 own_normal = load3 (task.nodes.normals, own);
+  const LocalPoints local (task.nodes, rows, own);
   const auto weightOf = [&] (std::size_t j) LANES_LAMBDA {
-    const Lanes cosine = dot (own_normal, load3 (control.nodes.normals, own + block_size * j));
-    const Lanes x = 1 - similarity (cosine, control.oriented);
+    const Lanes cosine = dot (own_normal, load3 (task.nodes.normals, own + block_size * j));
+    const Lanes x = 1 - similarity (cosine, task.oriented);
     const Lanes exponent = 0.5f * dot (local.at[j], local.at[j]) + x * 2.0408163f; // |n_i - n_j|^2 / (2 .7^2)
     const Lanes weight = x == x ? local.one[j] * bell (exponent) : splat (0);
     return __builtin_convertvector(weight * 15.0f + 0.5f, Mask);
@@ -55,15 +55,15 @@ averagingWeights (const StepControl& control, const BlockRows& rows, int first)
 
 /** One averaging of the risks over the neighbourhoods. */
 LANES_INLINE void
-averageRisks (const StepControl& control, const BlockRows& rows, int first)
+averageRisks (const RiskAverages& task, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const std::uint8_t* weights = control.weights + rows.pairs_begin + first;
+  const std::uint8_t* weights = task.weights + rows.pairs_begin + first;
   const std::size_t count = rows.length < max_fit_neighbors ? rows.length : max_fit_neighbors;
   Lanes sum_product = {}, sum_size = {}, sum = {};
   const auto add = [&] (Mask number, std::size_t j) LANES_LAMBDA {
     const Lanes weight = __builtin_convertvector(number, Lanes);
-    const Lanes2 risk = load2 (control.risks, own + block_size * j);
+    const Lanes2 risk = load2 (task.risks, own + block_size * j);
     sum += weight;
     sum_product += weight * risk.x;
     sum_size += weight * risk.y;
@@ -75,29 +75,29 @@ averageRisks (const StepControl& control, const BlockRows& rows, int first)
       add (pair >> 4, j + 1);
   }
   const Lanes scale = sum > 0 ? 1 / sum : splat (0);
-  store2 (control.averaged, own, {scale * sum_product, scale * sum_size});
+  store2 (task.averaged, own, {scale * sum_product, scale * sum_size});
 }
 
 /** Takes the share of the proposed step that the risk allows: with a and s the averages of stepRisks, the mean square of
   * the step is q = (pi / 2) s^2 (of a Gaussian, from its mean size: heavy tails count less), and the share is the fourth power
   * of (gain - a) / q within [0, 1]: nearly all of the step or little. */
 LANES_INLINE void
-takeSteps (const StepControl& control, const BlockRows& rows, int first)
+takeSteps (const StepsToTake& task, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const Lanes3 offset = load3OrZero (control.nodes.offset, own), start = load3OrZero (control.start, own);
-  const Lanes2 risk = load2 (control.risks, own);
+  const Lanes3 offset = load3OrZero (task.nodes.offset, own), start = load3OrZero (task.start, own);
+  const Lanes2 risk = load2 (task.risks, own);
   const Lanes q = 1.57079633f * (risk.y * risk.y);
-  Lanes share = q > 0 ? minimum (maximum ((gainOf (control, own) - risk.x) / q, splat (0)), splat (1)) : splat (0);
+  Lanes share = q > 0 ? minimum (maximum ((gainOf (task.gain, own) - risk.x) / q, splat (0)), splat (1)) : splat (0);
   share *= share;
   share *= share;
   // What is taken may stand where it was proposed.
-  const Lanes3 step = load3Alone (control.proposed, own) - offset;
-  const Lanes3 taken = start + capped ((offset + share * step) - start, control.max_displacement);
-  store3 (control.taken, own, taken);
-  if (!control.first_round) {
-    const Lanes moved = dot (taken - offset, load3 (control.nodes.normals, own));
-    store1 (control.moved, own, load1 (control.moved, own) + (moved == moved ? moved : splat (0)));
+  const Lanes3 step = load3Alone (task.proposed, own) - offset;
+  const Lanes3 taken = start + capped ((offset + share * step) - start, task.max_displacement);
+  store3 (task.taken, own, taken);
+  if (task.moved != nullptr) {
+    const Lanes moved = dot (taken - offset, load3 (task.nodes.normals, own));
+    store1 (task.moved, own, load1 (task.moved, own) + (moved == moved ? moved : splat (0)));
   }
 }
 } // namespace PCL_NORMAL_SMOOTHING_ISA

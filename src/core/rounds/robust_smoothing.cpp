@@ -179,34 +179,30 @@ private:
     forRowsOfRound ([&] (const BlockRows& rows) { kernels ().update_points (step, rows); });
   }
 
+  /** Of the proposed steps as much as the risk allows. */
   void
   takeSteps (int round)
   {
-    const float variance = options_.noise.sigma * options_.noise.sigma;
-    StepControl control {};
-    control.nodes = nodeArrays (positions_, normals_);
-    control.start = start_.empty () ? nullptr : start_.data ()->data ();
-    control.proposed = control.taken = other_.data ()->data ();
-    control.moved = moved_.data ();
-    control.first_round = round == 0;
-    control.oriented = options_.oriented;
-    control.weights = weights_.data ();
-    control.variance_factors = varianceFactors ();
-    control.gain = schedule_.tolerance * variance * schedule_.gains[round];
-    control.max_displacement = options_.max_displacement;
-    control.risks = risks_.data ();
-    forAllBlocks (kernels ().step_risks, control);
+    const NodeArrays nodes = nodeArrays (positions_, normals_);
+    const StepGain gain = gainOf (round);
+    float* proposed = other_.data ()->data ();
+    forAllBlocks (kernels ().step_risks, StepRisks {nodes, proposed, moved_.data (), gain, risks_.data ()});
     if (round == 0) // normals and positions change little afterwards
-      forAllBlocks (kernels ().averaging_weights, control);
+      forAllBlocks (kernels ().averaging_weights, AveragingWeights {nodes, options_.oriented, weights_.data ()});
+    averageRisks ();
+    forAllBlocks (kernels ().take_steps,
+                  StepsToTake {nodes, start (), proposed, risks_.data (), gain, options_.max_displacement,
+                               round == 0 ? nullptr : moved_.data (), proposed});
+    positions_.offset.swap (other_);
+  }
+
+  void
+  averageRisks ()
+  {
     for (int average = 0; average < schedule_.averages; ++average) {
-      control.risks = risks_.data ();
-      control.averaged = averaged_.data ();
-      forAllBlocks (kernels ().average_risks, control);
+      forAllBlocks (kernels ().average_risks, RiskAverages {weights_.data (), risks_.data (), averaged_.data ()});
       risks_.swap (averaged_);
     }
-    control.risks = risks_.data ();
-    forAllBlocks (kernels ().take_steps, control);
-    positions_.offset.swap (other_);
   }
 
   void
@@ -214,7 +210,7 @@ private:
   {
     KeepApartStep step {};
     step.nodes = nodeArrays (positions_, normals_);
-    step.start = start_.empty () ? nullptr : start_.data ()->data ();
+    step.start = start ();
     step.oriented = options_.oriented;
     step.max_displacement = options_.max_displacement;
     step.moved = other_.data ()->data ();
@@ -231,6 +227,21 @@ private:
     return 1 / std::max (8 * sigma * sigma, std::numeric_limits<float>::min () * 1e8f);
   }
 
+  StepGain
+  gainOf (int round) const
+  {
+    const float variance = options_.noise.sigma * options_.noise.sigma;
+    return {schedule_.tolerance * variance * schedule_.gains[round], varianceFactors ()};
+  }
+
+  /** Null where all are zero. */
+  const float*
+  start () const
+  {
+    return start_.empty () ? nullptr : start_.data ()->data ();
+  }
+
+  /** Null: 1 everywhere. */
   const float*
   varianceFactors () const
   {

@@ -22,40 +22,41 @@ protected:
   , nodes_ (gather (asPositions (planeGrid (2, 1).points), graph_->order ()))
   , normals_ (graph_->size (), Eigen::Vector3f::UnitZ ())
   , proposed_ (graph_->size (), Eigen::Vector3f::UnitZ ())
-  , moved_ (graph_->size (), 0.0f)
   , risks_ (2 * graph_->size (), 0.0f)
-  {
-    control_.nodes = nodeArrays (nodes_, normals_);
-    control_.proposed = control_.taken = proposed_.data ()->data ();
-    control_.moved = moved_.data ();
-    control_.risks = risks_.data ();
-    control_.gain = 1;
-    control_.max_displacement = std::numeric_limits<float>::infinity ();
-  }
-
-  template <typename Kernel>
-  void
-  run (const Kernel& kernel)
-  {
-    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernel (control_, rows); });
-  }
+  {}
 
   /** The share of the step that is taken, by the averages of stepRisks. */
   float
-  shareFor (float product, float size)
+  shareFor (float product, float size, const StepGain& gain = {1, nullptr})
   {
-    proposed_.assign (graph_->size (), Eigen::Vector3f::UnitZ ());
+    Vectors taken (graph_->size ());
     for (std::size_t i = 0; i < graph_->size (); ++i)
       risks_[2 * i] = product, risks_[2 * i + 1] = size;
-    run (kernels ().take_steps);
-    return proposed_[0].z ();
+    StepsToTake steps {};
+    steps.nodes = nodeArrays (nodes_, normals_);
+    steps.proposed = proposed_.data ()->data ();
+    steps.risks = risks_.data ();
+    steps.gain = gain;
+    steps.max_displacement = std::numeric_limits<float>::infinity ();
+    steps.taken = taken.data ()->data ();
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels ().take_steps (steps, rows); });
+    return taken[0].z ();
+  }
+
+  /** Of points that moved so far along their normals since the first round. */
+  void
+  findRisks (float way)
+  {
+    const Numbers moved (graph_->size (), way);
+    const StepRisks task {
+        nodeArrays (nodes_, normals_), proposed_.data ()->data (), moved.data (), {1, nullptr}, risks_.data ()};
+    forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels ().step_risks (task, rows); });
   }
 
   NeighborGraph::ConstPtr graph_;
   Positions nodes_;
   Vectors normals_, proposed_;
-  Numbers moved_, risks_;
-  StepControl control_ {};
+  Numbers risks_;
 };
 
 TEST_F (StepControlTest, TheFourthPowerOfWhatTheRiskAllowsIsTaken)
@@ -73,20 +74,17 @@ TEST_F (StepControlTest, APointSaysNoMoreThanThreeGains)
 {
   const std::pair<float, float> products[] = {{0.5f, 0.5f}, {-2, -2}, {100, 3}, {-100, -3}};
   for (const auto& [moved, expected] : products) {
-    moved_.assign (graph_->size (), moved);
-    run (kernels ().step_risks);
+    findRisks (moved);
     EXPECT_EQ (risks_[0], expected);
     EXPECT_EQ (risks_[1], 1);
   }
 }
+
 TEST_F (StepControlTest, WhereTheNoiseIsLargeAStepMayCostMore)
 {
-  control_.gain = 4;
-  const float expected = shareFor (3, 1);
   const Numbers factors (graph_->size (), 4.0f);
-  control_.gain = 1;
-  EXPECT_NE (shareFor (3, 1), expected);
-  control_.variance_factors = factors.data ();
-  EXPECT_EQ (shareFor (3, 1), expected);
+  const float expected = shareFor (3, 1, {4, nullptr});
+  EXPECT_NE (shareFor (3, 1, {1, nullptr}), expected);
+  EXPECT_EQ (shareFor (3, 1, {1, factors.data ()}), expected);
 }
 } // namespace
