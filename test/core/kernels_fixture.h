@@ -78,7 +78,7 @@ protected:
   }
 
   std::vector<float>
-  filtered (const Kernels& kernels, int weight, bool oriented, bool all_normals) const
+  filtered (const Kernels& kernels, pcl_normal_smoothing::NormalWeight weight, bool oriented, bool all_normals) const
   {
     const std::vector<std::uint16_t> distance_weights = distanceWeights (kernels);
     std::vector<float> filtered = vectors ();
@@ -88,7 +88,8 @@ protected:
     step.weight = weight;
     step.threshold = 0.65f;
     step.normal_factor = 5.6f;
-    step.rms = oriented;
+    using pcl_normal_smoothing::MixedThreshold;
+    step.mixed_threshold = oriented ? MixedThreshold::RMS : MixedThreshold::PRINTED;
     step.oriented = oriented;
     step.all_normals = all_normals;
     step.filtered = filtered.data ();
@@ -97,13 +98,14 @@ protected:
   }
 
   std::vector<float>
-  moved (const Kernels& kernels, bool compensated, float max_displacement, bool all_normals) const
+  moved (const Kernels& kernels, UpdateKind kind, float max_displacement, bool all_normals) const
   {
     std::vector<float> moved = vectors ();
     PointUpdateStep step {};
     step.nodes = nodeArrays (nodes_, normals_);
     step.start = step.nodes.offset;
-    step.compensated = compensated;
+    step.kind = kind;
+    step.residual_factor = 100;
     step.normal_factor = 50;
     step.all_normals = all_normals;
     step.max_displacement = max_displacement;

@@ -5,6 +5,9 @@ namespace
 {
 using namespace pcl_normal_smoothing::core;
 using namespace test_support;
+using pcl_normal_smoothing::NormalWeight;
+
+constexpr NormalWeight all_weights[] = {NormalWeight::THRESHOLD, NormalWeight::GAUSSIAN, NormalWeight::MIXED};
 
 TEST_P (KernelsTest, DistanceWeightsAreTheSameForEveryInstructionSet)
 {
@@ -21,16 +24,16 @@ TEST_P (KernelsTest, DistanceWeightsAreTheSameForEveryInstructionSet)
 
 TEST_P (KernelsTest, NormalsAreTheSameForEveryInstructionSet)
 {
-  for (const int weight : {0, 1, 2})
+  for (const NormalWeight weight : all_weights)
     for (const bool oriented : {false, true})
       expectAllTheSame ([&] (const Kernels& kernels) { return filtered (kernels, weight, oriented, false); });
 }
 
 TEST_P (KernelsTest, PositionsAreTheSameForEveryInstructionSet)
 {
-  for (const bool compensated : {false, true})
+  for (const UpdateKind kind : {UpdateKind::PAPER, UpdateKind::COMPENSATED, UpdateKind::ROBUST})
     for (const float max_displacement : {infinity, 0.01f})
-      expectAllTheSame ([&] (const Kernels& kernels) { return moved (kernels, compensated, max_displacement, false); });
+      expectAllTheSame ([&] (const Kernels& kernels) { return moved (kernels, kind, max_displacement, false); });
 }
 
 TEST_P (KernelsTest, WhoseNodesAllHaveNormalsGivesTheSameWithoutLookingForThem)
@@ -39,10 +42,11 @@ TEST_P (KernelsTest, WhoseNodesAllHaveNormalsGivesTheSameWithoutLookingForThem)
     if (!normal.allFinite ())
       normal = Eigen::Vector3f::UnitX ();
   expectAllTheSame ([&] (const Kernels& kernels) {
-    for (const int weight : {0, 1, 2})
+    for (const NormalWeight weight : all_weights)
       expectSameBits (filtered (kernels, weight, false, true), filtered (kernels, weight, false, false), kernels.name);
-    expectSameBits (moved (kernels, true, infinity, true), moved (kernels, true, infinity, false), kernels.name);
-    return moved (kernels, false, infinity, true);
+    expectSameBits (moved (kernels, UpdateKind::COMPENSATED, infinity, true),
+                    moved (kernels, UpdateKind::COMPENSATED, infinity, false), kernels.name);
+    return moved (kernels, UpdateKind::PAPER, infinity, true);
   });
 }
 
@@ -125,7 +129,7 @@ TEST_P (KernelsTest, FourTimesTheVarianceIsTwiceTheNoise)
     PointUpdateStep update {};
     update.nodes = fit.nodes;
     update.start = update.nodes.offset;
-    update.compensated = update.robust = true;
+    update.kind = UpdateKind::ROBUST;
     update.reach_scale = 1;
     update.normal_factor = 50;
     update.residual_factor = residual_factor;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_normal_smoothing/core/block_size.h>
+#include <pcl_normal_smoothing/core/variants.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -73,13 +74,21 @@ struct NormalFilterStep
 {
   NodeArrays nodes;
   const std::uint16_t* distance_weights; // of all neighbours; null for NormalWeight::THRESHOLD
-  int weight;                            // NormalWeight
-  float threshold;
+  NormalWeight weight;
+  float threshold;     // of NormalWeight::THRESHOLD
   float normal_factor; // 1 / (2 sigma_s^2)
-  bool rms;            // MixedThreshold::RMS
+  MixedThreshold mixed_threshold;
   bool oriented;
   bool all_normals; // no node is without one
   float* filtered;  // out
+};
+
+/** Along what a neighbour moves a point, and by what it weighs. */
+enum class UpdateKind
+{
+  PAPER,       // its normal; by its distance and normal: UpdateRule::PAPER
+  COMPENSATED, // the mean of both normals; by the same: UpdateRule::COMPENSATED
+  ROBUST       // the mean of both normals; by its height too: the rounds
 };
 
 /** One iteration of the point update: see core/chain/point_update.h. */
@@ -87,11 +96,10 @@ struct PointUpdateStep
 {
   NodeArrays nodes;
   const float* start; // offsets before the first iteration; null where all are zero
-  bool compensated;
-  bool robust;                   // only compensated: neighbours weigh by their height too
+  UpdateKind kind;
   float reach_scale;             // of 1 / (2 sigma_c^2)
   float normal_factor;           // 1 / (2 sigma_s^2)
-  float residual_factor;         // robust: 1 / (2 sigma^2) of the height
+  float residual_factor;         // of UpdateKind::ROBUST: 1 / (2 sigma^2) of the height
   const float* variance_factors; // of the noise, of all nodes; null: 1
   bool oriented;
   bool all_normals; // no node is without one

@@ -35,10 +35,10 @@ filterNormals (const NeighborGraph& graph,
   Vectors filtered (graph.size ());
   NormalFilterStep step {};
   step.distance_weights = distance_weights.data ();
-  step.weight = static_cast<int> (options.weight);
+  step.weight = options.weight;
   step.threshold = options.threshold;
   step.normal_factor = 1 / (2 * options.sigma_s * options.sigma_s);
-  step.rms = options.mixed_threshold == MixedThreshold::RMS;
+  step.mixed_threshold = options.mixed_threshold;
   step.oriented = options.oriented;
   step.all_normals = haveAllNormals (normals);
   for (int iteration = 0; iteration < options.iterations; ++iteration) {

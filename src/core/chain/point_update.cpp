@@ -45,7 +45,7 @@ updatePoints (NeighborGraph::ConstPtr graph,
   Vectors moved (graph->size ());
   PointUpdateStep step {};
   step.start = start.empty () ? nullptr : start.data ()->data ();
-  step.compensated = options.rule == UpdateRule::COMPENSATED;
+  step.kind = options.rule == UpdateRule::PAPER ? UpdateKind::PAPER : UpdateKind::COMPENSATED;
   step.reach_scale = 1;
   step.normal_factor = 1 / (2 * options.sigma_s * options.sigma_s);
   step.oriented = options.oriented;

@@ -56,24 +56,24 @@ template <bool complete>
 void
 filterNormalsOfBlock (const NormalFilterStep& step, const BlockRows& rows)
 {
-  if (step.weight == 0)
-    onBlock<NormalFilterStep, filterNormals<0, complete>> (step, rows);
-  else if (step.weight == 1)
-    onBlock<NormalFilterStep, filterNormals<1, complete>> (step, rows);
+  if (step.weight == NormalWeight::THRESHOLD)
+    onBlock<NormalFilterStep, filterNormals<NormalWeight::THRESHOLD, complete>> (step, rows);
+  else if (step.weight == NormalWeight::GAUSSIAN)
+    onBlock<NormalFilterStep, filterNormals<NormalWeight::GAUSSIAN, complete>> (step, rows);
   else
-    onBlock<NormalFilterStep, filterNormals<2, complete>> (step, rows);
+    onBlock<NormalFilterStep, filterNormals<NormalWeight::MIXED, complete>> (step, rows);
 }
 
 template <bool complete>
 void
 updatePointsOfBlock (const PointUpdateStep& step, const BlockRows& rows)
 {
-  if (step.robust)
-    onBlock<PointUpdateStep, updatePoints<true, true, complete>> (step, rows);
-  else if (step.compensated)
-    onBlock<PointUpdateStep, updatePoints<true, false, complete>> (step, rows);
+  if (step.kind == UpdateKind::ROBUST)
+    onBlock<PointUpdateStep, updatePoints<UpdateKind::ROBUST, complete>> (step, rows);
+  else if (step.kind == UpdateKind::COMPENSATED)
+    onBlock<PointUpdateStep, updatePoints<UpdateKind::COMPENSATED, complete>> (step, rows);
   else
-    onBlock<PointUpdateStep, updatePoints<false, false, complete>> (step, rows);
+    onBlock<PointUpdateStep, updatePoints<UpdateKind::PAPER, complete>> (step, rows);
 }
 
 /** The \a complete kernel where all nodes have normals and the block's rows no gaps, else that which looks for them. */

@@ -61,17 +61,18 @@ mixedThreshold (const NormalFilterStep& step, const BlockRows& rows, const std::
     sum += (other & (x == x)) ? x * x : splat (0);
     count += other ? splat (1) : splat (0);
   }
-  return step.rms ? squareRoot (sum / count) : squareRoot (sum) / count;
+  return step.mixed_threshold == MixedThreshold::RMS ? squareRoot (sum / count) : squareRoot (sum) / count;
 }
 
-/** The weight of eq. 3 (kind 0), or what that of eq. 4 (1) or eq. 6 (2) is besides the one of the distance. */
-template <int kind>
+/** The weight of eq. 3, or what that of eq. 4 or eq. 6 is besides the one of the distance. */
+template <NormalWeight kind>
 LANES_INLINE Lanes
 normalWeight (const NormalFilterStep& step, Lanes threshold, Lanes likeness)
 {
-  if (kind == 1) // |n_i - s n_j|^2 of unit normals is twice 1 - n_i.s n_j
+  if (kind == NormalWeight::GAUSSIAN) // |n_i - s n_j|^2 of unit normals is twice 1 - n_i.s n_j
     return expOfMinus (maximum (1 - likeness, splat (0)) * (2 * step.normal_factor));
-  const Lanes inside = maximum (kind == 0 ? likeness - threshold : threshold - (1 - likeness), splat (0));
+  const Lanes inside =
+      maximum (kind == NormalWeight::THRESHOLD ? likeness - threshold : threshold - (1 - likeness), splat (0));
   return inside * inside;
 }
 
@@ -79,7 +80,7 @@ normalWeight (const NormalFilterStep& step, Lanes threshold, Lanes likeness)
   * \tparam complete all nodes have normals, and those of the lanes as many neighbours as others of the block
   * \param[in] threshold T of eq. 3 or eq. 7
   * \param[in] normals gives those of the lanes' j-th neighbours */
-template <int kind, bool complete, typename Normals>
+template <NormalWeight kind, bool complete, typename Normals>
 LANES_INLINE Lanes3
 weightedSum (const NormalFilterStep& step, const BlockRows& rows, int first, Lanes threshold, const Normals& normals)
 {
@@ -90,7 +91,7 @@ weightedSum (const NormalFilterStep& step, const BlockRows& rows, int first, Lan
     const Lanes3 normal = normals (j);
     const Lanes cosine = dot (own_normal, normal);
     Lanes weight = normalWeight<kind> (step, threshold, similarity (cosine, step.oriented));
-    if (kind != 0)
+    if (kind != NormalWeight::THRESHOLD)
       weight *= loadShorts (step.distance_weights + rows.begin + first + block_size * j);
     const Mask counts = (cosine == cosine) & isOther (own + block_size * j, j == 0 ? no_nodes : own);
     const Lanes3 term = turned (weight, cosine, step.oriented) * normal;
@@ -100,14 +101,14 @@ weightedSum (const NormalFilterStep& step, const BlockRows& rows, int first, Lan
 }
 
 /** One iteration of eq. 2. */
-template <int kind, bool complete>
+template <NormalWeight kind, bool complete>
 LANES_INLINE void
 filterNormals (const NormalFilterStep& step, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const auto read = [&] (std::size_t j) LANES_LAMBDA { return load3 (step.nodes.normals, own + block_size * j); };
   Lanes3 sum;
-  if constexpr (kind == 2) {
+  if constexpr (kind == NormalWeight::MIXED) {
     const NeighborValues<Lanes3, decltype (read)> normals (read, rows.length);
     sum = weightedSum<kind, complete> (step, rows, first, mixedThreshold (step, rows, own, normals), normals);
   }

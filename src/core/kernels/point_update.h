@@ -36,8 +36,8 @@ struct NeighborPlane
   }
 };
 
-/** Those that \a index names. Compensated: their height along the mean of both normals. */
-template <bool compensated>
+/** Those that \a index names. */
+template <UpdateKind kind>
 LANES_INLINE NeighborPlane
 neighborPlane (const PointUpdateStep& step, const Points& points, Lanes3 own_normal, const std::uint32_t* index)
 {
@@ -45,7 +45,7 @@ neighborPlane (const PointUpdateStep& step, const Points& points, Lanes3 own_nor
   const Lanes3 difference = points.difference (index, step.nodes.normals, normal);
   const Lanes cosine = dot (own_normal, normal);
   Lanes height = dot (normal, difference); // eq. 8, in which the signs of both n_j cancel
-  if (compensated)
+  if (kind != UpdateKind::PAPER)
     height = 0.5f * (turned (dot (own_normal, difference), cosine, step.oriented) + height);
   return {normal, dot (difference, difference), cosine, height};
 }
@@ -61,19 +61,17 @@ reachFactor (const Neighbors& neighbors, const BlockRows& rows)
   return farthest > 0 ? 1 / (2 * farthest) : splat (0);
 }
 
-/** One iteration of eq. 8 (Sun et al. 2007), or of its compensated form; robust: with a weight for the height of the
-  * neighbour too.
+/** One iteration of eq. 8 (Sun et al. 2007), or of a form that UpdateKind names.
   * \tparam complete all nodes have normals, and those of the lanes as many neighbours as others of the block */
-template <bool compensated, bool robust, bool complete>
+template <UpdateKind kind, bool complete>
 LANES_INLINE void
 updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
   const Lanes3 own_normal = load3 (step.nodes.normals, own);
-  const auto read = [&] (std::size_t j) LANES_LAMBDA {
-    return neighborPlane<compensated> (step, points, own_normal, own + block_size * j);
-  };
+  const auto read = [&] (std::size_t j)
+                        LANES_LAMBDA { return neighborPlane<kind> (step, points, own_normal, own + block_size * j); };
   const NeighborValues<NeighborPlane, decltype (read)> neighbors (read, rows.length);
   const Lanes reach_factor = reachFactor (neighbors, rows) * step.reach_scale;
   const Lanes residual_factor = step.residual_factor / load1OrOne (step.variance_factors, own);
@@ -84,7 +82,8 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
     const Lanes height = neighbor.height, x = 1 - similarity (neighbor.cosine, step.oriented);
     // Eq. 9, the Gaussians in one exponential.
     const Lanes exponent = neighbor.sq_dist * reach_factor + x * x * step.normal_factor;
-    const Lanes weight = robust ? bell (exponent + height * height * residual_factor) : expOfMinus (exponent);
+    const Lanes weight =
+        kind == UpdateKind::ROBUST ? bell (exponent + height * height * residual_factor) : expOfMinus (exponent);
     const Lanes3 term = (weight * height) * neighbor.normal;
     const Mask counts = (x == x) & isOther (own + block_size * j, own);
     weights += complete ? weight : counts ? weight : splat (0);

@@ -145,7 +145,7 @@ private:
   {
     NormalFilterStep step {};
     step.nodes = nodeArrays (positions_, normals_);
-    step.weight = static_cast<int> (NormalWeight::GAUSSIAN);
+    step.weight = NormalWeight::GAUSSIAN;
     step.normal_factor = 1 / (2 * sigma_s * sigma_s);
     step.oriented = options_.oriented;
     step.all_normals = all_normals_;
@@ -167,7 +167,7 @@ private:
     PointUpdateStep step {};
     step.nodes = nodeArrays (positions_, normals_);
     step.start = step.nodes.offset;
-    step.compensated = step.robust = true;
+    step.kind = UpdateKind::ROBUST;
     step.reach_scale = 1 / (bandwidth * bandwidth);
     step.normal_factor = 1 / (2 * schedule_.sigma_s * schedule_.sigma_s);
     step.residual_factor = residualFactor ();

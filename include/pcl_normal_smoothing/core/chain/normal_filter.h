@@ -2,24 +2,10 @@
 #pragma once
 
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
+#include <pcl_normal_smoothing/core/variants.h>
 
 namespace pcl_normal_smoothing
 {
-/** The weight of a neighbour's normal, section II.B of Valdivia et al. 2013. */
-enum class NormalWeight
-{
-  THRESHOLD, //!< eq. 3 (Sun et al. 2007)
-  GAUSSIAN,  //!< eqs. 4 and 5 (Zheng et al. 2011)
-  MIXED      //!< eqs. 6 and 7 (Wang et al. 2012)
-};
-
-/** The threshold of eq. 7: as printed, sqrt (sum x^2) / k, or the root mean square, sqrt (sum x^2 / k). */
-enum class MixedThreshold
-{
-  PRINTED, //!< barely filters
-  RMS      //!< filters as the paper's figures show
-};
-
 namespace core
 {
 struct NormalFilterOptions
