@@ -3,7 +3,7 @@
 
 #include "graph_rows.h"
 
-#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <pcl_normal_smoothing/core/whole_cloud.h>
 
 namespace test_support
 {

@@ -9,22 +9,6 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Lets the data tell what smoothing in rounds has to know: the layers that neighbourhoods must see past, which neighbours lie on
-  * another sheet, the noise of the cloud, and what follows from it. Nothing changes for the paper's chain.
-  * \param[in] normals read only for NormalSource::INPUT
-  * \param[in] execution progress stands still meanwhile
-  * \param[in,out] graph on return with neighbourhoods that see past layers and noise, and without neighbours on other sheets
-  * \param[in,out] options that pass check; on return without anything to estimate, and widening neighbourhoods where these had to be; given
-  * again, they give the same graph and positions
-  * \param[in,out] positions of the nodes; where the noise is wider than the spacing their offsets change: see
-  * core/noise/quadric_projection.h */
-void
-prepareSmoothing (const Vectors& normals,
-                  const Execution& execution,
-                  NeighborGraph::ConstPtr& graph,
-                  SmoothingOptions& options,
-                  Positions& positions);
-
 /** The order in which the noise and the sheets of a cloud are estimated, each from what was before, for a cloud that is seen as a
   * whole or in tiles. */
 class SmoothingPreparation
@@ -32,11 +16,12 @@ class SmoothingPreparation
 public:
   virtual ~SmoothingPreparation () = default;
 
-  /** \param[in,out] options as for prepareSmoothing */
+  /** Sets what is to be estimated. Nothing changes for the paper's chain.
+    * \param[in,out] options that pass check; on return without anything to estimate; widen_neighborhoods is not read */
   void
   complete (SmoothingOptions& options);
 
-  /** \param[in] normals as for prepareSmoothing; kept while the result is used */
+  /** \param[in] normals as for smooth; kept while the result is used */
   static SheetSeparationOptions
   separation (const SmoothingOptions& options, const Vectors& normals);
 
@@ -74,14 +59,16 @@ protected:
   }
 
 private:
-  /** \return the noise now that neighbourhoods keep to one sheet
+  /** Neighbourhoods keep to one sheet, unless what is told apart is layers.
+    * \param[in] before the noise as it is known so far
     * \param[in] may_be_layers the sheets are estimated; what was told apart may be layers, which are joined again
-    * \param[in,out] options the distance of the sheets becomes infinite then */
+    * \param[in,out] options the distance of the sheets becomes infinite then
+    * \return the noise now; \a before where it is given, or nothing changes */
   NoiseEstimate
-  noiseOfSheets (const NoiseEstimate& before,
-                 const SheetEstimate& sheets,
-                 bool may_be_layers,
-                 SmoothingOptions& options);
+  keepToSheets (const NoiseEstimate& before,
+                const SheetEstimate& sheets,
+                bool may_be_layers,
+                SmoothingOptions& options);
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

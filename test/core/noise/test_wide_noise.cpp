@@ -3,7 +3,7 @@
 #include "smoothed.h"
 
 #include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
-#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <pcl_normal_smoothing/core/whole_cloud.h>
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,8 @@
 #include "shapes.h"
 #include "smoothed.h"
 
+#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
+#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <pcl_normal_smoothing/core/whole_cloud.h>
+
+#include <algorithm>
+
+namespace pcl_normal_smoothing
+{
+namespace core
+{
+namespace
+{
+// Nearer than that they are layers of one wall that faces a depth camera.
+constexpr float sheet_steps = 1.5f;
+
+/** Takes the noise to be larger where neighbourhoods grow with it. */
+NoiseField
+largerWhereWide (NoiseField field, const WideNoise& wide)
+{
+  for (RegionalField::Region& region : field.factors.regions)
+    if (wide.halvings.valueAt (region.centre, 0) >= .5f) // from there on they grow
+      region.value *= wide.excess;
+  return field;
+}
+
+/** A cloud that is seen as a whole. */
+class WholeCloud : public SmoothingPreparation
+{
+public:
+  /** \param[in,out] positions kept, as everything else, while this is used */
+  WholeCloud (Positions& positions, const Vectors& normals, const Execution& execution, NeighborGraph::ConstPtr& graph)
+  : positions_ (positions), normals_ (normals), execution_ (execution), graph_ (graph), unseparated_ (graph)
+  {}
+
+  /** \param[in] may_project false: points without a normal may not move, and opposite normals tell sheets apart
+    * \return whether neighbourhoods had to grow, or points to be projected */
+  bool
+  widen (bool may_project)
+  {
+    widening_ = estimateWidening (*unseparated_, positions_, execution_);
+    if (!may_project)
+      widening_.wide_noise.ratios = {};
+    if (const auto wide = widenNeighborhoods (*unseparated_, positions_, widening_, execution_))
+      graph_ = unseparated_ = wide;
+    else if (const auto projected = projectNodes (*unseparated_, widening_, execution_, positions_))
+      graph_ = unseparated_ = projected;
+    else
+      widening_ = widening_.roundingAlone ();
+    return widening_.isNeeded ();
+  }
+
+protected:
+  NoiseEstimate
+  noiseBeforeSeparation () override
+  {
+    return noiseOf (sampleNoise (*graph_, positions_, execution_));
+  }
+
+  SheetDetection
+  sheets (const SheetScales& scales) override
+  {
+    const std::vector<std::uint32_t> sample = sampleNodes (positions_, sheet_sample_size, execution_);
+    const SheetDetection detected = detectSheets (*graph_, positions_, sample, scales, execution_);
+    return detected.estimate.gap < sheet_steps * largestStep () ? SheetDetection () : detected;
+  }
+
+  bool
+  separate (const SmoothingOptions& options) override
+  {
+    const SheetSeparationOptions by = separation (options, normals_);
+    if (separationDepth (by) < 0)
+      return false;
+    graph_ = separateSheets (unseparated_, positions_, by, execution_);
+    return graph_ != unseparated_ || unseparated_->minRowLength () < noise_row_length;
+  }
+
+  NoiseEstimate
+  separatedNoise () override
+  {
+    const std::size_t size = graph_->finiteCount ();
+    const std::vector<std::uint32_t> sample = sampleNodes (positions_, noise_sample_size, execution_);
+    return noiseOf (sampleNoise (*graph_, positions_, sample, size, execution_));
+  }
+
+  void
+  undoSeparation () override
+  {
+    graph_ = unseparated_;
+  }
+
+  bool
+  underestimatesWideNoise () const override
+  {
+    return !widening_.isNeeded () && !(widening_.rounding.step > 0);
+  }
+
+private:
+  NoiseEstimate
+  noiseOf (const NoiseSample& sample) const
+  {
+    NoiseEstimate noise = estimateNoise (sample, widening_);
+    const WideNoise& wide = widening_.wide_noise;
+    if (!wide.is_everywhere)
+      noise.field = largerWhereWide (noise.field, wide);
+    else if (wide.sigma > 0 && !widening_.projects ())
+      noise.sigma *= wide.excess;
+    return noise;
+  }
+
+  /** From one layer to the next, or of coordinates; 0 where there is none. */
+  float
+  largestStep () const
+  {
+    const std::vector<float> steps = widening_.layers.steps.values ();
+    return std::max (widening_.rounding.step, steps.empty () ? 0 : *std::max_element (steps.begin (), steps.end ()));
+  }
+
+  Positions& positions_;
+  const Vectors& normals_;
+  const Execution& execution_;
+  NeighborGraph::ConstPtr& graph_;
+  NeighborGraph::ConstPtr unseparated_; // before sheets were separated
+  Widening widening_;                   // of unseparated_
+};
+} // namespace
+
+void
+prepareSmoothing (const Vectors& normals,
+                  const Execution& execution,
+                  NeighborGraph::ConstPtr& graph,
+                  SmoothingOptions& options,
+                  Positions& positions)
+{
+  WholeCloud cloud (positions, normals, execution, graph);
+  const bool moves = options.robust && options.rounds.rounds > 0 && options.rounds.noise.sigma != 0;
+  const bool may_project = options.normals != NormalSource::INPUT;
+  options.widen_neighborhoods = moves && options.widen_neighborhoods && cloud.widen (may_project);
+  cloud.complete (options);
+}
+} // namespace core
+} // namespace pcl_normal_smoothing
