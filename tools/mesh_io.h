@@ -29,16 +29,5 @@ loadMesh (const std::string& path);
 /** Writes a PLY file (text), as OutputFile does. \throw FileError */
 void
 saveMesh (const Mesh& mesh, const std::string& path);
-
-/** Mean length of the edges, each counted once however many triangles it has. */
-double
-meanEdgeLength (const Mesh& mesh);
-
-double
-area (const Mesh& mesh);
-
-/** Area-weighted normals of the vertices, of length 1; zero where a vertex has no triangle with an area. */
-std::vector<Eigen::Vector3d>
-vertexNormals (const Mesh& mesh);
 } // namespace tools
 } // namespace pcl_normal_smoothing

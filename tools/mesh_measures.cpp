@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_io.h"
+#include "mesh_measures.h"
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_graph.h"
 #include "field_values.h"
+#include "mesh_measures.h"
 #include "method_options.h"
 #include "surface_noise.h"
 #include "tool.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_points.h"
+#include "mesh_measures.h"
 #include "report.h"
 #include "smoothing_error.h"
 #include "tool.h"

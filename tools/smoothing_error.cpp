@@ -2,6 +2,7 @@
 #include "smoothing_error.h"
 
 #include "mesh_distance.h"
+#include "mesh_measures.h"
 
 #include <pcl_normal_smoothing/core/chain/surface_estimation.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>

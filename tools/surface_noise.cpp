@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_noise.h"
 
+#include "mesh_measures.h"
+
 #include <cmath>
 #include <random>
 

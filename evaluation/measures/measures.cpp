@@ -2,6 +2,7 @@
 #include "measures/measures.h"
 
 #include "measures/sharp_edges.h"
+#include "mesh_measures.h"
 #include "smoothing_error.h"
 
 #include <pcl_normal_smoothing/core/error.h>

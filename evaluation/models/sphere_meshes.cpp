@@ -2,6 +2,7 @@
 #include "models/sphere_meshes.h"
 
 #include "mesh_edges.h"
+#include "mesh_measures.h"
 #include "models/jitter.h"
 #include "models/subdivision.h"
 

@@ -2,6 +2,7 @@
 #include "results/study_file.h"
 
 #include "cloud_io.h"
+#include "mesh_measures.h"
 #include "output_file.h"
 #include "tool_error.h"
 

@@ -2,6 +2,7 @@
 #include "evaluation_meshes.h"
 #include "measures/measures.h"
 #include "measures/sharp_edges.h"
+#include "mesh_measures.h"
 #include "models/extrusion.h"
 #include "models/made_models.h"
 #include "smoothing_error.h"

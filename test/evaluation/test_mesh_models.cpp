@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_meshes.h"
 #include "mesh_edges.h"
+#include "mesh_measures.h"
 #include "models/mesh_model.h"
 #include "models/subdivision.h"
 #include "tool_error.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_meshes.h"
+#include "mesh_measures.h"
 #include "results/results.h"
 #include "results/study_file.h"
 #include "tool_error.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_measures.h"
 #include "models/made_models.h"
 #include "surface_noise.h"
 #include "sweep/sweep.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mesh_measures.h"
 #include "smoothing_error.h"
 
 #include <Eigen/Eigenvalues>

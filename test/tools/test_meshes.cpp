@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_edges.h"
 #include "mesh_io.h"
+#include "mesh_measures.h"
 #include "tool_error.h"
 #include "tool_runner.h"
 
