@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_io.h"
-#include "options.h"
+#include "common_options.h"
 
-#include <pcl_normal_smoothing/core/search/neighbor.h>
 #include <pcl_normal_smoothing/smoothing_settings.h>
 
 namespace pcl_normal_smoothing
@@ -57,43 +55,6 @@ addPresetOptions (Options& options, SmoothingSettings& settings);
 /** -oriented */
 void
 addOrientedOption (Options& options, SmoothingSettings& settings);
-
-/** -seed */
-void
-addSeedOption (Options& options, const std::string& standard, const std::function<void (std::uint64_t)>& use);
-
-/** -threads \param[out] threads 0 = all cores; refers to it until the options are parsed */
-void
-addThreadsOption (Options& options, unsigned& threads);
-
-/** -k -radius -max_radius -threads */
-struct SearchOptions
-{
-  int k = 0;
-  double radius = 0;
-  double max_radius = 0;
-  unsigned threads = 0;
-
-  /** \param[in] standard_k for the help
-    * \param[in] least_k refused below
-    * \param[in] more that the help has to say of the least */
-  void
-  addTo (Options& options, const std::string& standard_k, int least_k = 3, const std::string& more = "");
-
-  /** \param[in] standard_k where neither k nor a radius was given
-    * \throw UsageError where both were */
-  core::NeighborQuery
-  query (int standard_k) const;
-};
-
-/** -format */
-struct FormatOption
-{
-  FileFormat format = FileFormat::BINARY;
-
-  void
-  addTo (Options& options);
-};
 
 /** All options of the method. \param[in] save_normals told -save_normals */
 void

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_graph.h"
+#include "common_options.h"
 #include "field_values.h"
 #include "mesh_measures.h"
-#include "method_options.h"
 #include "surface_noise.h"
 #include "tool.h"
 

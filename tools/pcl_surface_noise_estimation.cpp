@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_graph.h"
-#include "method_options.h"
+#include "common_options.h"
 #include "tool.h"
 
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "method_options.h"
+#include "common_options.h"
 #include "normal_fields.h"
 #include "tool.h"
 
