@@ -67,7 +67,7 @@ lengthOrNone (float length)
   return std::isfinite (length) ? textOf (length) : no_length;
 }
 
-/** A text for the default preset, and those of the others where they differ. */
+/** A text for the default preset, and those of the others and of the paper's chain where they differ. */
 std::string
 ofPresets (const std::function<std::string (const MethodSettings&)>& text)
 {
@@ -79,25 +79,24 @@ ofPresets (const std::function<std::string (const MethodSettings&)>& text)
     if (text (settings) != standard)
       all += "; preset " + name + ": " + text (settings);
   }
+  MethodSettings chain;
+  chain.setNormalWeight (NormalWeight::GAUSSIAN);
+  if (text (chain) != standard)
+    all += "; the chain in place of rounds: " + text (chain);
   return all;
+}
+
+/** The Standard of the presets. */
+std::string
+presetStandard (const std::function<std::string (const core::SmoothingOptions&)>& text)
+{
+  return ofPresets ([&] (const MethodSettings& settings) { return text (settings.options ()); });
 }
 } // namespace
 
 const char* const presets_and_chain =
     "The presets default and fast smooth in rounds, by the noise that they find. With an option of the paper's chain\n"
     "(-weights -mixed -threshold -sigma_s -normal_iterations -update -update_sigma_s) that chain runs in their place.";
-
-std::string
-presetStandard (const std::function<std::string (const core::SmoothingOptions&)>& text)
-{
-  return ofPresets ([&] (const MethodSettings& settings) { return text (settings.options ()); });
-}
-
-std::string
-presetStandardK ()
-{
-  return ofPresets ([] (const MethodSettings& settings) { return std::to_string (settings.presetK ()); });
-}
 
 Standard
 standardOf (const SmoothingSettings& settings)
@@ -213,7 +212,8 @@ addMethodOptions (Options& options,
                   const std::function<void (bool)>& save_normals)
 {
   addPresetOptions (options, settings);
-  search.addTo (options, presetStandardK (), 3, "; 4 with -normals wpca, 7 in rounds, of which 32 at most count");
+  search.addTo (options, ofPresets ([] (const MethodSettings& s) { return std::to_string (s.presetK ()); }), 3,
+                "; 4 with -normals wpca, 7 in rounds, of which 32 at most count");
   addFilterOptions (options, presetStandard, settings);
   addUpdateOptions (options, presetStandard, settings);
   addNoiseOptions (options, settings);

@@ -16,14 +16,6 @@ class MethodSettings : public SmoothingSettings
 /** What holds without an option: the text for the help, from a text for a set of parameters. */
 using Standard = std::function<std::string (const std::function<std::string (const core::SmoothingOptions&)>&)>;
 
-/** That of the presets. */
-std::string
-presetStandard (const std::function<std::string (const core::SmoothingOptions&)>& text);
-
-/** k of the presets, for the help. */
-std::string
-presetStandardK ();
-
 /** That of settings as they are now. */
 Standard
 standardOf (const SmoothingSettings& settings);

@@ -142,6 +142,15 @@ TEST_F (Usage, HelpNamesEveryOptionWithItsDefault)
     EXPECT_EQ (succeed (tool + " anything.pcd -k -h").err, "");
 }
 
+TEST_F (Usage, HelpTellsWhatTheChainBeginsWith)
+{
+  const Ending help = succeed ("pcl_normal_smoothing -h");
+  for (const char* standard :
+       {"preset paper: 7; the chain in place of rounds: 15)", "preset paper: 7; the chain in place of rounds: 2)",
+        "preset paper: no limit; the chain in place of rounds: no limit)"})
+    EXPECT_NE (help.out.find (standard), std::string::npos) << standard << "\n" << help.out;
+}
+
 TEST_F (Usage, EveryToolTellsItsVersion)
 {
   for (const std::string tool :
