@@ -137,8 +137,8 @@ Batch::run (const std::string& report)
   smooth (small, threads, 1);
   const auto failed = static_cast<std::size_t> (
       std::count_if (files_.begin (), files_.end (), [] (const File& file) { return file.status != 0; }));
-  std::printf ("%zu files: %zu smoothed, %zu done before, %zu failed\n", files_.size (), to_do_ - failed,
-               files_.size () - to_do_, failed);
+  std::printf ("%s: %zu smoothed, %zu done before, %zu failed\n", counted (files_.size (), "file").c_str (),
+               to_do_ - failed, files_.size () - to_do_, failed);
   if (!report.empty ())
     saveReport (reports (), report);
   if (failed > 0)

@@ -105,7 +105,7 @@ void
 saveResult (const CloudFile& file, const std::string& path, FileFormat format)
 {
   saveCloud (file, path, format);
-  std::printf ("%s: %zu points\n", path.c_str (), file.size ());
+  std::printf ("%s: %s\n", path.c_str (), counted (file.size (), "point").c_str ());
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -74,6 +74,12 @@ note (const std::string& message)
   std::fprintf (stderr, "%s: %s\n", tool_name.c_str (), message.c_str ());
 }
 
+std::string
+counted (std::uint64_t number, const std::string& one, const std::string& more)
+{
+  return std::to_string (number) + " " + (number == 1 ? one : more.empty () ? one + "s" : more);
+}
+
 ProgressCallback
 progressOnTerminal ()
 {

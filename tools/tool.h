@@ -39,6 +39,10 @@ exitStatusOf (const std::string& file, const std::function<void ()>& work);
 ProgressCallback
 progressOnTerminal ();
 
+/** "1 file", "2 files". \param[in] more the plural of \a one that is not just an s longer */
+std::string
+counted (std::uint64_t number, const std::string& one, const std::string& more = {});
+
 /** A message on stderr that is no error. */
 void
 note (const std::string& message);

@@ -81,6 +81,13 @@ TEST_F (Batch, DoesNotDoAgainWhatIsDone)
   EXPECT_EQ (summary ("-preset fast"), "3 files: 3 smoothed, 0 done before, 0 failed\n");
 }
 
+TEST_F (Batch, CountsOneFileAsOne)
+{
+  fs::remove (path ("in.d/a.pcd"));
+  fs::remove (path ("in.d/b.PCD"));
+  EXPECT_EQ (summary ("-preset fast"), "1 file: 1 smoothed, 0 done before, 0 failed\n");
+}
+
 TEST_F (Batch, DoesAgainWhatAnotherVersionDid)
 {
   summary ();

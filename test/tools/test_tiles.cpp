@@ -133,6 +133,8 @@ TEST_F (Tiles, TilesOfOnePoint)
   expectSame ("wave.pcd", "-max_points 1", "-preset fast");
   const Ending plan = succeed ("pcl_normal_smoothing_tiles plan more.d wave.pcd -max_points 1 -preset fast");
   EXPECT_NE (plan.out.find ("298 points in 298 tiles of at most 1\n"), std::string::npos) << plan.out;
+  const Ending tile = succeed ("pcl_normal_smoothing_tiles run more.d -tile 7");
+  EXPECT_EQ (tile.out.find ("tile 7: 1 point, "), 0u) << tile.out;
 }
 
 TEST_F (Tiles, AllPointsInOnePlace)

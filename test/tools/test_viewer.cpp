@@ -149,7 +149,9 @@ serverOf (int tool)
 
 TEST_F (Viewer, TakesAPictureWithoutADisplay)
 {
-  succeed ("pcl_normal_smoothing_viewer noisy.ply mesh.ply -screenshot picture.png -width 800 -height 450");
+  const Ending ending =
+      succeed ("pcl_normal_smoothing_viewer noisy.ply mesh.ply -screenshot picture.png -width 800 -height 450");
+  EXPECT_EQ (ending.out, path ("picture.png") + ": 800 x 450 pixels\n");
   const Picture picture (path ("picture.png"));
   EXPECT_EQ (picture.width, 800);
   EXPECT_EQ (picture.height, 450);
@@ -184,8 +186,9 @@ TEST_F (Viewer, SaysWhatItCannotDo)
 TEST_F (Viewer, KilledItLeavesNoDisplayBehind)
 {
   for (const int signal : {SIGTERM, SIGKILL}) {
-    const int tool = startTool (
-        {TOOLS_FOLDER "/pcl_normal_smoothing_viewer", path ("noisy.ply"), "-screenshot", path ("picture.png")}, folder_);
+    const int tool = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_viewer", path ("noisy.ply"), "-screenshot",
+                                 path ("picture.png")},
+                                folder_);
     const int server = serverOf (tool);
     ASSERT_NE (server, 0);
     kill (tool, signal);

@@ -95,7 +95,7 @@ public:
   }
 
   /** How often neighbours were searched until all rows were proven. */
-  int
+  std::uint64_t
   searches () const
   {
     return searches_;
@@ -146,7 +146,7 @@ private:
   std::vector<bool> wanted_records_;
   std::vector<std::uint32_t> wanted_;
   std::uint64_t enough_ = 0; // points near a doubt, for all of its neighbours to be among them
-  int searches_ = 0;
+  std::uint64_t searches_ = 0;
 };
 } // namespace tools
 } // namespace pcl_normal_smoothing

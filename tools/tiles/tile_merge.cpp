@@ -102,7 +102,7 @@ private:
     for (const Source& source : plan_.sources)
       sources.read (source, [&] (const auto& cloud, const auto&) { writer.write (cloud.data.data (), cloud.width); });
     writer.commit ();
-    std::printf ("%s: %llu points\n", request_.output.c_str (), static_cast<unsigned long long> (shape.size ()));
+    std::printf ("%s: %s\n", request_.output.c_str (), counted (shape.size (), "point").c_str ());
   }
 
   void
@@ -124,7 +124,7 @@ private:
       PointWriter writer (sources.shapeOf (source.shape), path, request_.format);
       sources.read (source, [&] (const auto& cloud, const auto&) { writer.write (cloud.data.data (), cloud.width); });
       writer.commit ();
-      std::printf ("%s: %llu points\n", path.c_str (), static_cast<unsigned long long> (source.shape.size ()));
+      std::printf ("%s: %s\n", path.c_str (), counted (source.shape.size (), "point").c_str ());
     }
   }
 
@@ -152,10 +152,10 @@ private:
       });
       writer.commit ();
     }
-    std::printf ("%s: %zu tiles, %llu points\n", request_.tile_folder.c_str (), plan_.tiles.size (),
-                 static_cast<unsigned long long> (plan_.points));
+    std::printf ("%s: %s, %s\n", request_.tile_folder.c_str (), counted (plan_.tiles.size (), "tile").c_str (),
+                 counted (plan_.points, "point").c_str ());
     if (plan_.points < plan_.cloudSize ())
-      note (std::to_string (plan_.cloudSize () - plan_.points) + " points are not finite: they are in no tile");
+      note (counted (plan_.cloudSize () - plan_.points, "point is", "points are") + " not finite: in no tile");
   }
 
   const Plan& plan_;

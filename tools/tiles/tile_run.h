@@ -14,7 +14,7 @@ struct TileRun
   /** Points of other tiles that were loaded with it. */
   std::uint64_t around = 0;
   /** How often neighbours were searched until nothing was missing. */
-  int searches = 0;
+  std::uint64_t searches = 0;
 };
 
 /** Smooths a tile of a plan as a run over the whole cloud would, and writes its result.

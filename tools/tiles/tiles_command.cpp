@@ -43,12 +43,6 @@ parseTiles (const std::string& text, std::size_t& first, char& kind, std::size_t
     read = std::from_chars (read.ptr, end, second);
   return read.ec == std::errc () && read.ptr == end && (kind == '-' ? first <= second : kind == '/' && first < second);
 }
-
-unsigned long long
-number (std::uint64_t n)
-{
-  return n;
-}
 } // namespace
 
 void
@@ -173,9 +167,9 @@ TilesCommand::plan (const Options& options)
   std::uint64_t largest = 0;
   for (const Tile& tile : plan.tiles)
     largest = std::max (largest, tile.points);
-  std::printf ("%s: %llu points in %zu tiles of at most %llu%s\nparameters: %s\n", plan.folder.c_str (),
-               number (plan.points), plan.tiles.size (), number (largest), found ? ", planned before" : "",
-               plan.parameters.c_str ());
+  std::printf ("%s: %s in %s of at most %llu%s\nparameters: %s\n", plan.folder.c_str (),
+               counted (plan.points, "point").c_str (), counted (plan.tiles.size (), "tile").c_str (),
+               static_cast<unsigned long long> (largest), found ? ", planned before" : "", plan.parameters.c_str ());
 }
 
 std::vector<std::size_t>
@@ -210,8 +204,8 @@ TilesCommand::run (const Options& options)
       continue;
     }
     const TileRun done = runTile (plan, tile, search_.threads);
-    std::printf ("tile %zu: %llu points, %llu around, %d searches\n", tile, number (done.points), number (done.around),
-                 done.searches);
+    std::printf ("tile %zu: %s, %llu around, %s\n", tile, counted (done.points, "point").c_str (),
+                 static_cast<unsigned long long> (done.around), counted (done.searches, "search", "searches").c_str ());
     std::fflush (stdout);
   }
 }

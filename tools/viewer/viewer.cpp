@@ -120,6 +120,8 @@ Viewer::savePicture (const std::string& path)
   OutputFile file (path);
   file.write (window_.picture ());
   file.commit ();
+  const auto [width, height] = window_.size ();
+  std::printf ("%s: %d x %d pixels\n", path.c_str (), width, height);
   message_ = "saved: " + path;
 }
 

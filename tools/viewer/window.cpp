@@ -255,6 +255,13 @@ ViewerWindow::picture ()
           static_cast<std::size_t> (bytes->GetNumberOfValues ())};
 }
 
+std::array<int, 2>
+ViewerWindow::size () const
+{
+  const int* size = visualizer_->getRenderWindow ()->GetSize ();
+  return {size[0], size[1]};
+}
+
 void
 ViewerWindow::run (const std::function<void (const std::string& key)>& pressed)
 {

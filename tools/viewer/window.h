@@ -77,6 +77,10 @@ public:
   std::string
   picture ();
 
+  /** Its width and height, in pixels. */
+  std::array<int, 2>
+  size () const;
+
   /** Calls \a pressed for every key, until close() or the user ends it. */
   void
   run (const std::function<void (const std::string& key)>& pressed);
