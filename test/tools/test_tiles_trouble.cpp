@@ -71,6 +71,7 @@ TEST_F (TilesTrouble, WrongUsage)
   expectRefused ("plan tiles.d", 1, {"no file is given"});
   expectRefused ("plan tiles.d cloud.pcd -k 8 -radius 2", 1, {"-k and -radius"});
   expectRefused ("plan tiles.d cloud.pcd -tile 3", 1, {"-tile is none of plan"});
+  expectRefused ("plan tiles.d cloud.pcd -widen_neighborhoods 1", 1, {"give 0"});
   expectRefused ("run tiles.d -k 8", 1, {"-k is none of run"});
   expectRefused ("run tiles.d -tile 3x", 1, {"3x"});
   expectRefused ("run tiles.d -tile 5-3", 1, {"5-3"});

@@ -165,12 +165,9 @@ prepare (Plan& plan,
   // Wider neighbourhoods might need all of the cloud for one tile.
   const bool widens = std::exchange (plan.options.widen_neighborhoods, false) && plan.options.robust;
   if (widens && cloud.mayNeedWidening ())
-    note (
-        "neighbourhoods may be too narrow to show the surface, for many points lie in planes with those around them, "
-        "exactly (on "
-        "the lines of a lidar, or in the steps of a depth camera), the coordinates are rounded, or the noise is wide: "
-        "pcl_normal_smoothing might widen them; "
-        "the tiles will be as with its -widen_neighborhoods 0");
+    note ("neighbourhoods may be too narrow to show the surface, for many points lie in planes with those around them, "
+          "exactly (on the lines of a lidar, or in the steps of a depth camera), the coordinates are rounded, or the "
+          "noise is wide: pcl_normal_smoothing might widen them; the tiles will be as with its -widen_neighborhoods 0");
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

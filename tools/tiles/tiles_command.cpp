@@ -50,12 +50,11 @@ TilesCommand::addOptions (Options& options)
 {
   options.describe (
       std::string (
-          "Smooths clouds of any size in tiles: gives, to the bit, what pcl_normal_smoothing would give for all of "
-          "it\nwith -widen_neighborhoods 0: neighbourhoods stay as they are.\n"
-          "plan parts the points of some files in tiles, run smooths them, one, some or all, on any number of machines "
-          "that\nsee the folder, merge puts the files together again; list tells which tiles are still to be run. "
-          "Every "
-          "step can be\nrun again: what is done stays.\n") +
+          "Smooths clouds of any size in tiles: gives, to the bit, what pcl_normal_smoothing would give for all of it\n"
+          "with -widen_neighborhoods 0: neighbourhoods stay as they are, and 1 is refused.\n"
+          "plan parts the points of some files in tiles, run smooths them, one, some or all, on any number of\n"
+          "machines that see the folder, merge puts the files together again; list tells which tiles are still to be\n"
+          "run. Every step can be run again: what is done stays.\n") +
           presets_and_chain,
       {"plan|run|merge|list", "folder", "input.pcd|ply..."});
   options.add ("-memory", "G", "of plan and merge: gigabytes that they may take, and that run will have for a tile",
@@ -134,7 +133,7 @@ TilesCommand::requireOnly (const Options& options, const std::string& step, cons
 }
 
 void
-TilesCommand::plan (const Options& options)
+TilesCommand::readRequest (const Options& options)
 {
   for (const char* name : {"-tile", "-output_dir", "-output", "-tile_dir", "-format"})
     if (options.given (name))
@@ -145,6 +144,10 @@ TilesCommand::plan (const Options& options)
     throw UsageError ("no file is given: plan needs PCD or PLY files");
   request_.folder = options.file (1);
   request_.options = method_.options ();
+  if (options.given ("-widen_neighborhoods") && request_.options.widen_neighborhoods)
+    throw UsageError (
+        "-widen_neighborhoods 1: a tile keeps the neighbourhoods as they are, for wider ones might span all of "
+        "the cloud: give 0, or leave the option out");
   checkOptions (request_.options, search_.k);
   request_.query = search_.query (method_.presetK ());
   request_.query.distinct = request_.options.robust;
@@ -157,7 +160,12 @@ TilesCommand::plan (const Options& options)
   request_.text += "-max_points " + std::to_string (request_.max_points);
   for (const std::string& file : request_.files)
     request_.text += "\n" + std::filesystem::absolute (file).lexically_normal ().string ();
+}
 
+void
+TilesCommand::plan (const Options& options)
+{
+  readRequest (options);
   const std::optional<Plan> found = findPlan (request_);
   const Plan plan = found ? *found : makePlan (request_, [this] (const core::SmoothingOptions& used) {
     return asOptions (method_.getPreset (), used, search_, method_.presetK ());

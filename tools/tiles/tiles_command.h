@@ -31,6 +31,10 @@ private:
   void
   addMergeOptions (Options& options);
 
+  /** What plan is asked to do. */
+  void
+  readRequest (const Options& options);
+
   void
   plan (const Options& options);
 
