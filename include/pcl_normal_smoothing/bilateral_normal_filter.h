@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/careful_filter.h>
 #include <pcl_normal_smoothing/core/chain/normal_filter.h>
 #include <pcl_normal_smoothing/input_normals.h>
-#include <pcl_normal_smoothing/search_settings.h>
 
-#include <pcl/filters/filter.h>
 #include <pcl/point_types.h>
 
 namespace pcl_normal_smoothing
@@ -21,7 +20,7 @@ namespace pcl_normal_smoothing
   * k or a radius must be set, or a neighbour graph. On an error the output is empty, see filter and
   * getErrorMessage. */
 template <typename PointT>
-class BilateralNormalFilter : public pcl::Filter<PointT>, public SearchSettings<PointT>, public InputNormals
+class BilateralNormalFilter : public CarefulFilter<PointT>, public InputNormals
 {
 public:
   using Ptr = pcl::shared_ptr<BilateralNormalFilter<PointT>>;
@@ -120,17 +119,6 @@ public:
     * cloud of setInputNormals stays as it is, and any other output is empty */
   void
   filterNormals (pcl::PointCloud<pcl::Normal>& normals);
-
-  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other output is
-    * empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error in place empties
-    * the cloud, and without an input the output keeps what it held.
-    * \param[out] output the input with filtered normals */
-  void
-  filter (PointCloud& output)
-  {
-    this->filterInto (this->filter_name_, this->input_.get (), output,
-                      [this] (PointCloud& result) { pcl::Filter<PointT>::filter (result); });
-  }
 
 protected:
   /** \param[out] output the input with filtered normals. Refused for a PointT without normals: see filterNormals. */

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/careful_filter.h>
 #include <pcl_normal_smoothing/input_normals.h>
-#include <pcl_normal_smoothing/search_settings.h>
 #include <pcl_normal_smoothing/smoothing_settings.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 
-#include <pcl/filters/filter.h>
 #include <pcl/point_types.h>
 
 namespace pcl_normal_smoothing
@@ -26,10 +25,7 @@ namespace pcl_normal_smoothing
   * and Hough. The result is the same, bit for bit, for any number of threads. On an error the output is empty, see filter and
   * getErrorMessage. */
 template <typename PointT>
-class NormalSmoothing : public pcl::Filter<PointT>,
-                        public SearchSettings<PointT>,
-                        public InputNormals,
-                        public SmoothingSettings
+class NormalSmoothing : public CarefulFilter<PointT>, public InputNormals, public SmoothingSettings
 {
 public:
   using Ptr = pcl::shared_ptr<NormalSmoothing<PointT>>;
@@ -39,17 +35,6 @@ public:
   NormalSmoothing ()
   {
     this->filter_name_ = "NormalSmoothing";
-  }
-
-  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other output is
-    * empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error in place empties
-    * the cloud, and without an input the output keeps what it held.
-    * \param[out] output the smoothed input */
-  void
-  filter (PointCloud& output)
-  {
-    this->filterInto (this->filter_name_, this->input_.get (), output,
-                      [this] (PointCloud& result) { pcl::Filter<PointT>::filter (result); });
   }
 
 protected:
