@@ -56,14 +56,24 @@ correctionsOf (const NoiseSample& sample, const NoiseEstimate& noise)
   return factors;
 }
 
+/** Calls \a use (place, variance) for all neighbourhoods of one size, the variances corrected; not for those that are too short to
+  * have one. */
+template <typename Use>
+void
+forEachVariance (const NoiseSample& sample, const Factors& factors, std::size_t size, const Use& use)
+{
+  for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
+    if (const float variance = sample.of_nodes[s].variances[size]; std::isfinite (variance))
+      use (sample.of_nodes[s].place, static_cast<float> (factors[s] * factors[s] * variance));
+}
+
 ResidualVariances
 corrected (const NoiseSample& sample, const Factors& factors)
 {
   ResidualVariances variances;
-  for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
-    for (std::size_t i = 0; i < variances.size (); ++i)
-      if (const float variance = sample.of_nodes[s].variances[i]; std::isfinite (variance))
-        variances[i].push_back (static_cast<float> (factors[s] * factors[s] * variance));
+  for (std::size_t size = 0; size < variances.size (); ++size)
+    forEachVariance (sample, factors, size,
+                     [&] (const Eigen::Vector3f&, float variance) { variances[size].push_back (variance); });
   return variances;
 }
 
@@ -81,9 +91,9 @@ std::vector<LocalValue>
 localVariances (const NoiseSample& sample, const Factors& factors, std::size_t size)
 {
   std::vector<LocalValue> local;
-  for (std::size_t s = 0; s < sample.of_nodes.size (); ++s)
-    if (const float variance = sample.of_nodes[s].variances[size]; std::isfinite (variance))
-      local.push_back ({sample.of_nodes[s].place, static_cast<float> (factors[s] * factors[s] * variance)});
+  forEachVariance (sample, factors, size, [&] (const Eigen::Vector3f& place, float variance) {
+    local.push_back ({place, variance});
+  });
   return local;
 }
 
