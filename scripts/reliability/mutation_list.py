@@ -87,7 +87,7 @@ MUTATIONS = [
      "outer_ / weight_ - sum_ * sum_.transpose () / (weight_ * weight_)", "outer_ / weight_"),
     ("noise: degrees of freedom of a plane, not a quadric", KERNELS + "quadric_fit.h", "/ (size - 6)", "/ (size - 3)"),
     ("noise: the spacing is too large", CORE + "noise/noise_estimate.cpp", "std::sqrt (pi / 8)", "std::sqrt (pi / 4)"),
-    ("rounds: sigma, not its square, is the gain", CORE + "rounds/robust_smoothing.cpp",
+    ("rounds: sigma, not its square, is the gain", CORE + "rounds/step_taking.cpp",
      "variance = options_.noise.sigma * options_.noise.sigma", "variance = options_.noise.sigma"),
     ("rounds: the whole step is taken", KERNELS + "step_control.h", "offset + share * step", "offset + step"),
     ("rounds: the way since the first round is not counted", KERNELS + "step_control.h", "if (task.moved != nullptr) {",

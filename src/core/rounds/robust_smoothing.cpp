@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "round_schedule.h"
+#include "step_taking.h"
 
 #include <pcl_normal_smoothing/core/chain/normal_filter.h>
 #include <pcl_normal_smoothing/core/error.h>
@@ -55,11 +55,8 @@ public:
   , all_normals_ (haveAllNormals (normals))
   , start_ (start)
   , other_ (graph.size ())
-  , moved_ (graph.size (), 0.0f)
-  , risks_ (2 * graph.size ())
-  , averaged_ (2 * graph.size ())
-  , weights_ (pairsBegin (graph, graph.blockCount ()))
   , variance_factors_ (core::varianceFactors (options.noise.field, positions, execution))
+  , step_taking_ ({graph, this->start (), varianceFactors ()}, options)
   {}
 
   void
@@ -75,8 +72,9 @@ public:
       if (const float sigma_s = filteringSigma (options_, round); sigma_s > 0)
         filterFitted (sigma_s);
       proposeSteps (fine);
-      endFar ();
-      takeSteps (round);
+      far_.reset ();
+      step_taking_.take (round, nodeArrays (positions_, normals_), progress_, other_);
+      positions_.offset.swap (other_);
       execution_.report ((round + 1.0) / options_.rounds);
     }
     if (options_.rounds > 0)
@@ -84,21 +82,11 @@ public:
   }
 
 private:
-  /** Takes the memory of the risks, which are not needed until a step is proposed. */
   void
   beginFar ()
   {
-    Numbers ().swap (risks_);
-    Numbers ().swap (averaged_);
+    step_taking_.freeRisks (); // the far rows take their memory
     far_.emplace (graph_, nodeArrays (positions_), execution_.silent ());
-  }
-
-  void
-  endFar ()
-  {
-    far_.reset ();
-    risks_.resize (2 * graph_.size ());
-    averaged_.resize (2 * graph_.size ());
   }
 
   /** Calls \a body for the rows of all blocks that the round looks at. */
@@ -109,15 +97,6 @@ private:
     forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
       FarRows::Buffer buffer;
       body (far_ ? far_->ofBlock (rows, buffer) : BlockRows {rows.neighbors, std::min (rows.length, k_)});
-    });
-  }
-
-  template <typename Kernel, typename Arguments>
-  void
-  forAllBlocks (const Kernel& kernel, const Arguments& arguments)
-  {
-    forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
-      kernel (arguments, BlockRows {rows.neighbors, std::min (rows.length, max_k), rows.begin, rows.pairs_begin});
     });
   }
 
@@ -179,32 +158,6 @@ private:
     forRowsOfRound ([&] (const BlockRows& rows) { kernels ().update_points (step, rows); });
   }
 
-  /** Of the proposed steps as much as the risk allows. */
-  void
-  takeSteps (int round)
-  {
-    const NodeArrays nodes = nodeArrays (positions_, normals_);
-    const StepGain gain = gainOf (round);
-    float* proposed = other_.data ()->data ();
-    forAllBlocks (kernels ().step_risks, StepRisks {nodes, proposed, moved_.data (), gain, risks_.data ()});
-    if (round == 0) // normals and positions change little afterwards
-      forAllBlocks (kernels ().averaging_weights, AveragingWeights {nodes, options_.oriented, weights_.data ()});
-    averageRisks ();
-    forAllBlocks (kernels ().take_steps,
-                  StepsToTake {nodes, start (), proposed, risks_.data (), gain, options_.max_displacement,
-                               round == 0 ? nullptr : moved_.data (), proposed});
-    positions_.offset.swap (other_);
-  }
-
-  void
-  averageRisks ()
-  {
-    for (int average = 0; average < schedule_.averages; ++average) {
-      forAllBlocks (kernels ().average_risks, RiskAverages {weights_.data (), risks_.data (), averaged_.data ()});
-      risks_.swap (averaged_);
-    }
-  }
-
   void
   keepApart ()
   {
@@ -215,7 +168,7 @@ private:
     step.max_displacement = options_.max_displacement;
     step.moved = other_.data ()->data ();
     progress_ = execution_.silent (); // the rounds have told all
-    forAllBlocks (kernels ().keep_apart, step);
+    runOnNearest (graph_, progress_, kernels ().keep_apart, step);
     positions_.offset.swap (other_);
   }
 
@@ -225,13 +178,6 @@ private:
   {
     const float sigma = options_.noise.sigma;
     return 1 / std::max (8 * sigma * sigma, std::numeric_limits<float>::min () * 1e8f);
-  }
-
-  StepGain
-  gainOf (int round) const
-  {
-    const float variance = options_.noise.sigma * options_.noise.sigma;
-    return {schedule_.tolerance * variance * schedule_.gains[round], varianceFactors ()};
   }
 
   /** Null where all are zero. */
@@ -260,11 +206,8 @@ private:
   std::optional<FarRows> far_; // in far rounds, until the step is proposed
   const Vectors& start_;       // as startOf has it
   Vectors other_;              // what the next stage writes: normals, or offsets
-  Numbers moved_;              // along the normals since the first round, from where the risk is measured
-  Numbers risks_;              // two a node
-  Numbers averaged_;
-  PaddedVector<std::uint8_t> weights_;
-  Numbers variance_factors_; // empty: 1 everywhere
+  Numbers variance_factors_;   // empty: 1 everywhere
+  StepTaking step_taking_;
 };
 } // namespace
 
