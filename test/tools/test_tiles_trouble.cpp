@@ -84,6 +84,12 @@ TEST_F (TilesTrouble, WrongUsage)
   expectRefused ("merge tiles.d -output out.xyz", 2, {"no complete result"});
 }
 
+TEST_F (TilesTrouble, OptionsThatDoNothingHereAreNamed)
+{
+  const Ending plan = succeed ("pcl_normal_smoothing_tiles plan tiles.d cloud.pcd -weights mixed -noise_sigma 1");
+  EXPECT_NE (plan.err.find ("-noise_sigma: for the rounds"), std::string::npos) << plan.err;
+}
+
 TEST_F (TilesTrouble, SourcesThatDoNotGoTogether)
 {
   savePcd (makeWave (), path ("wave.pcd"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles_command.h"
 
+#include "option_notes.h"
 #include "tile_result.h"
 #include "tile_run.h"
 #include "tool.h"
@@ -149,6 +150,7 @@ TilesCommand::readRequest (const Options& options)
         "-widen_neighborhoods 1: a tile keeps the neighbourhoods as they are, for wider ones might span all of "
         "the cloud: give 0, or leave the option out");
   checkOptions (request_.options, search_.k);
+  noteSurprises (options, request_.options);
   request_.query = search_.query (method_.presetK ());
   request_.query.distinct = request_.options.robust;
   request_.threads = search_.threads;
