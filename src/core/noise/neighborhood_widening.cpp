@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../nodes_where.h"
+
 #include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
 
 #include <pcl_normal_smoothing/core/noise/quadric_projection.h>
@@ -36,16 +38,6 @@ halvingsOfNodes (const Widening& widening, const Positions& nodes, const Executi
   });
   return halvings;
 }
-
-std::vector<std::uint32_t>
-nodesOf (int halvings, const std::vector<int>& of_nodes)
-{
-  std::vector<std::uint32_t> nodes;
-  for (std::uint32_t node = 0; node < of_nodes.size (); ++node)
-    if (of_nodes[node] == halvings)
-      nodes.push_back (node);
-  return nodes;
-}
 } // namespace
 
 Widening
@@ -77,7 +69,8 @@ widenNeighborhoods (const NeighborGraph& graph,
   auto wide = std::make_shared<NeighborGraph> (graph);
   const int most = *std::max_element (halvings.begin (), halvings.end ());
   for (int of_cloud = 1; of_cloud <= most; ++of_cloud) {
-    const std::vector<std::uint32_t> changed = nodesOf (of_cloud, halvings);
+    const std::vector<std::uint32_t> changed =
+        nodesWhere (nodes.size (), [&] (std::uint32_t node) { return halvings[node] == of_cloud; });
     if (changed.empty ())
       continue;
     const ThinnedCloud thinned (graph, nodes, of_cloud, ThinnedCloud::Parts::ALL, still);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_normals.h"
 
+#include "../nodes_where.h"
+
 #include <pcl_normal_smoothing/core/search/node_blocks.h>
 #include <pcl_normal_smoothing/core/sheets/sheet_test.h>
 
@@ -37,11 +39,7 @@ nodesInRows (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes
     for (std::size_t j = 0; j < std::min (row.size (), max_length); ++j)
       is_in[row[j]] = true;
   }
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t node = 0; node < graph.size (); ++node)
-    if (is_in[node])
-      found.push_back (node);
-  return found;
+  return nodesWhere (graph.size (), [&] (std::uint32_t node) { return is_in[node]; });
 }
 
 Vectors

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../nodes_where.h"
 #include "sheet_normals.h"
 
 #include <pcl_normal_smoothing/core/search/node_blocks.h>
@@ -27,11 +28,9 @@ nodesBesideOtherSheets (const NeighborGraph& graph,
   const OtherSheetTest of_rows = test.ofRows (evidence_to_change, others);
   forEachBlockOf (graph, nodes, sheet_row_length, execution,
                   [&] (const BlockRows& rows) { kernels ().count_others (of_rows, rows); });
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t node = 0; node < graph.size (); ++node)
-    if (others[node] >= static_cast<float> (othersToChange (graph.row (node).size ())))
-      found.push_back (node);
-  return found;
+  return nodesWhere (graph.size (), [&] (std::uint32_t node) {
+    return others[node] >= static_cast<float> (othersToChange (graph.row (node).size ()));
+  });
 }
 
 /** Nodes one of whose neighbours is among \a nodes. */
@@ -49,11 +48,7 @@ nodesNear (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes, 
         is_near[node] = is_one[row[j]];
     }
   });
-  std::vector<std::uint32_t> near;
-  for (std::uint32_t node = 0; node < graph.size (); ++node)
-    if (is_near[node])
-      near.push_back (node);
-  return near;
+  return nodesWhere (graph.size (), [&] (std::uint32_t node) { return is_near[node] != 0; });
 }
 
 /** Nodes, each once: neighbours of neighbours are mostly the same, and sorting them all would take most of the time. */
