@@ -97,7 +97,7 @@ loadInput (const std::string& path)
   CloudFile file = loadCloud (path);
   positionsOf (file); // refuses a cloud without
   if (file.faces > 0)
-    note (path + ": its " + std::to_string (file.faces) + " faces are left out, the output is a cloud");
+    note (path + ": " + counted (file.faces, "face is", "faces are") + " left out, the output is a cloud");
   return file;
 }
 

@@ -145,7 +145,7 @@ private:
       }
     });
     if (sources_.faces () > 0)
-      note ("the " + std::to_string (sources_.faces ()) + " faces of the files are left out, the output are clouds");
+      note (counted (sources_.faces (), "face", "faces") + " of the files left out: the output are clouds");
     plan_.unit = unitOf (of_unit);
     plan_.options = request_.options.inUnit (plan_.unit);
     plan_.query = request_.query.inUnit (plan_.unit);
