@@ -34,8 +34,8 @@ noteSurprises (const Options& options, const core::SmoothingOptions& method)
       givenOf ({"-mixed", "-threshold", "-sigma_s", "-normal_iterations", "-update_sigma_s"}, options);
   if (!meant && !of_chain.empty ())
     note (of_chain + ": of the paper's chain, which now runs in place of the rounds");
-  const std::string of_rounds = givenOf (
-      {"-noise_sigma", "-noise_varies", "-widen_neighborhoods", "-point_spacing", "-sheet_distance"}, options);
+  const std::string of_rounds =
+      givenOf ({"-noise_sigma", "-noise_varies", "-widen_neighborhoods", "-point_spacing", "-sheet_distance"}, options);
   if (!of_rounds.empty ())
     note (of_rounds + ": for the rounds of the presets default and fast, not used here");
 }

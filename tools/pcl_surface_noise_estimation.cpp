@@ -37,7 +37,7 @@ class SurfaceNoiseEstimationTool : public tools::Tool
     }
     std::printf ("noise sigma %.9g, spacing %.9g, in the cloud's unit: noise of %.3f spacings\n", noise.sigma,
                  noise.spacing, noise.sigma / noise.spacing);
-    if (!noise.field.isEven ())
+    if (noise.field.largestFactor () > 1.05f * noise.field.smallestFactor ())
       std::printf ("it varies from place to place: sigma from %.3g to %.3g\n",
                    noise.sigma * noise.field.smallestFactor (), noise.sigma * noise.field.largestFactor ());
   }

@@ -19,7 +19,8 @@ namespace tools
 {
 namespace
 {
-/** What to say where a float is too coarse for coordinates so far from the origin; empty where it is not. */
+/** What to say where a float is too coarse for coordinates so far from the origin; empty where it is not.
+  * \param[in] spacing 0: not known */
 std::string
 coarsenessOf (const CloudFile& file, double spacing)
 {
@@ -32,7 +33,7 @@ coarsenessOf (const CloudFile& file, double spacing)
       farthest = std::max (farthest, point.cwiseAbs ().maxCoeff ());
   const auto number = static_cast<float> (farthest);
   const double step = double {std::nextafter (number, std::numeric_limits<float>::infinity ())} - double {number};
-  if (step <= spacing / 4)
+  if (!(spacing > 0) || step <= spacing / 4)
     return {};
   std::ostringstream text;
   text << "coordinates of " << number << " come in steps of " << step

@@ -9,6 +9,7 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -100,7 +101,9 @@ exitStatusOf (const std::string& file, const std::function<void ()>& work)
 {
   try {
     work ();
-    if (std::fflush (stdout) != 0)
+    if (std::fflush (stdout) != 0 && errno == EPIPE)
+      return FILE_TROUBLE; // whoever reads has enough
+    if (std::ferror (stdout) != 0)
       throw FileError ("the standard output", "cannot be written", "free some space, or send it elsewhere");
     return DONE;
   }

@@ -51,6 +51,13 @@ public:
     return widening_.isNeeded ();
   }
 
+  /** See LayerEstimate. */
+  bool
+  isOfCamera () const
+  {
+    return widening_.layers.are_of_camera;
+  }
+
 protected:
   NoiseEstimate
   noiseBeforeSeparation () override
@@ -137,6 +144,7 @@ prepareSmoothing (const Vectors& normals,
   const bool moves = options.robust && options.rounds.rounds > 0 && options.rounds.noise.sigma != 0;
   const bool may_project = options.normals != NormalSource::INPUT;
   options.widen_neighborhoods = moves && options.widen_neighborhoods && cloud.widen (may_project);
+  options.rounds.along_rays = cloud.isOfCamera ();
   cloud.complete (options);
 }
 } // namespace core

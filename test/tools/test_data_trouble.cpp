@@ -77,7 +77,8 @@ TEST_F (DataTrouble, CoordinatesTooLargeForFloat)
 {
   const Eigen::Vector3d utm (500000, 5600000, 100);
   savePcd (makeWave (pcl::PCLPointField::FLOAT32, utm), path ("float.pcd"));
-  EXPECT_NE (succeed ("pcl_normal_smoothing float.pcd out.pcd").err.find ("in steps of 0.5 in float"), std::string::npos);
+  EXPECT_NE (succeed ("pcl_normal_smoothing float.pcd out.pcd").err.find ("in steps of 0.5 in float"),
+             std::string::npos);
   savePcd (makeWave (pcl::PCLPointField::FLOAT64, utm), path ("double.pcd"));
   EXPECT_EQ (succeed ("pcl_normal_smoothing double.pcd out.pcd").err, "");
 }
@@ -104,4 +105,5 @@ TEST_F (DataTrouble, FewerPointsThanKIsNoError)
   writeText (path ("in.pcd"), header ("x y z", 4) + "0 0 0\n1 0 0\n0 1 0\n1 1 0.1\n");
   const Ending result = succeed ("pcl_normal_smoothing in.pcd out.pcd");
   EXPECT_NE (result.err.find ("fewer than k"), std::string::npos) << result.err;
+  EXPECT_EQ (result.err.find ("in steps of"), std::string::npos) << "small coordinates are fine: " << result.err;
 }

@@ -147,7 +147,8 @@ TEST_F (SmoothingTool, SaysWhatOptionsOfTheOtherMethodDo)
   const auto said = [&] (const std::string& options) {
     return succeed ("pcl_normal_smoothing wave.pcd out.pcd " + options).err;
   };
-  EXPECT_NE (said ("-threshold 0.5 -sigma_s 0.2").find ("-threshold -sigma_s: of the paper's chain"), std::string::npos);
+  EXPECT_NE (said ("-threshold 0.5 -sigma_s 0.2").find ("-threshold -sigma_s: of the paper's chain"),
+             std::string::npos);
   EXPECT_NE (said ("-preset paper -noise_sigma 0.1").find ("-noise_sigma: for the rounds"), std::string::npos);
   EXPECT_EQ (said ("-weights gaussian -sigma_s 0.2"), "");
   EXPECT_EQ (said ("-preset paper -sigma_s 0.2"), "");

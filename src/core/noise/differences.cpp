@@ -30,6 +30,22 @@ axesOfNearest (const Differences& differences, std::size_t count)
   return {solver.eigenvalues (), solver.eigenvectors ().col (0)};
 }
 
+double
+bimodality (const Differences& differences)
+{
+  const std::size_t count = differences.size ();
+  const Eigen::Vector3d normal = axesOfNearest (differences, count).normal, mean = meanOfNearest (differences, count);
+  double squares = 0, cubes = 0, fourths = 0;
+  for (const Eigen::Vector3d& difference : differences) {
+    const double height = normal.dot (difference - mean);
+    squares += height * height;
+    cubes += height * height * height;
+    fourths += height * height * height * height;
+  }
+  const auto n = static_cast<double> (count);
+  return squares > 0 ? (n * cubes * cubes / squares + squares * squares) / (n * fourths) : 0;
+}
+
 float
 medianReach (const std::vector<Differences>& differences)
 {

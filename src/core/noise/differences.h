@@ -32,6 +32,11 @@ struct PrincipalAxes
 PrincipalAxes
 axesOfNearest (const Differences& differences, std::size_t count = nearest_count);
 
+/** Sarle's coefficient of the heights over the plane through all: 1 where there are two, 1/3 of many that are normally
+  * distributed; 0 where all lie in the plane. */
+double
+bimodality (const Differences& differences);
+
 /** The median distance of the last of the nearest_count nearest; 0 of none. */
 float
 medianReach (const std::vector<Differences>& differences);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../quantile.h"
+#include "camera_test.h"
 #include "layer_test.h"
 #include "thinned_sample.h"
 
@@ -17,10 +18,12 @@ namespace core
 namespace
 {
 constexpr double cosine_of_parallel = 1 - 1e-5;
-constexpr double min_share_flat = .05; // noise leaves none; a scan of a table with a frayed wall has .1
-constexpr double min_share_parallel = .5; // of those that are flat
-constexpr double min_share_off = .1;      // likewise: have points near that are off their plane
-constexpr float max_deviation = .4f;      // of half of the steps, as a logarithm: terraces differ more
+constexpr double cosine_of_facing = .77; // 40 degrees: pictures may show things at their rim only
+constexpr double min_share_flat = .05;   // noise leaves none; a scan of a table with a frayed wall has .1
+constexpr double min_share_parallel =
+    .12; // of those that are flat: on a slanting table, rows of pixels that are a step apart are, too
+constexpr double min_share_off = .1;  // likewise: have points near that are off their plane
+constexpr float max_deviation = .45f; // of half of the steps, as a logarithm: terraces differ more
 
 bool
 areParallel (const Eigen::Vector3d& a, const Eigen::Vector3d& b)
@@ -86,6 +89,21 @@ mayHaveLayers (const NeighborGraph& graph, const Positions& nodes, const Executi
   return static_cast<double> (flat) > min_share_flat * static_cast<double> (sample.size ());
 }
 
+/** Whether some of the planes face a camera at the origin that sees all points a pixel apart. */
+bool
+areOfCamera (const std::vector<Eigen::Vector3d>& normals,
+             const NeighborGraph& graph,
+             const Positions& nodes,
+             const Execution& execution)
+{
+  const Eigen::Vector3d direction = viewingDirection (nodes, execution);
+  std::vector<Eigen::Vector3d> facing;
+  std::copy_if (normals.begin (), normals.end (), std::back_inserter (facing),
+                [&] (const auto& normal) { return std::abs (normal.dot (direction)) > cosine_of_facing; });
+  return static_cast<double> (facing.size ()) > min_count_off &&
+         isGridOfCamera (graph, nodes, commonNormal (facing), execution);
+}
+
 class LayerFinder
 {
 public:
@@ -117,6 +135,13 @@ public:
             noiseOfStep (share_stepped_)};
   }
 
+  /** Normals of planes, after find. */
+  const std::vector<Eigen::Vector3d>&
+  normals () const
+  {
+    return normals_;
+  }
+
 private:
   /** Notes the steps of the nodes where none was noted yet. */
   bool
@@ -141,6 +166,8 @@ private:
     if (flat <= min_share_flat * all || parallel <= min_share_parallel * flat ||
         off <= std::max (min_share_off * flat, min_count_off) || stepped <= min_share_stepped * off)
       return false;
+    if (share_stepped_ == 0)
+      normals_ = normals;
     share_stepped_ = std::max (share_stepped_, stepped / off);
     return true;
   }
@@ -149,6 +176,7 @@ private:
   std::vector<float> halvings_; // until the nearest of a point of the sample are not in a plane
   std::vector<float> steps_;    // to the next layer, 0 where none was seen
   double share_stepped_ = 0;    // at best, the share of the points off which there is anything, that see a layer
+  std::vector<Eigen::Vector3d> normals_; // of the planes of the least thinned cloud that shows layers
 };
 } // namespace
 
@@ -159,7 +187,10 @@ estimateLayers (const NeighborGraph& graph, const Positions& nodes, const Execut
   if (!mayHaveLayers (graph, nodes, still))
     return {};
   const ThinnedSample sample (graph, nodes, still);
-  return LayerFinder (sample).find ();
+  LayerFinder finder (sample);
+  LayerEstimate layers = finder.find ();
+  layers.are_of_camera = layers.hasLayers () && areOfCamera (finder.normals (), graph, nodes, still);
+  return layers;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -10,13 +10,11 @@ namespace core
 {
 namespace
 {
-// To the farthest neighbour, in sigmas: narrower neighbourhoods are lost in the noise. Every halving beyond that which shows the noise makes
-// them wider by the second, where nothing is lost by it: a quadric that misses a third of sigma in detail leaves 1.05 times as much.
-// Maps with clumps are of rooms and streets.
+// To the farthest neighbour, in sigmas: narrower neighbourhoods are lost in the noise. Every halving beyond that which
+// shows the noise makes them wider by the second, where nothing is lost by it. Maps with clumps are of rooms and
+// streets.
 constexpr double least_reach = 4.25;
 constexpr double growth_of_reach = 1.58;
-constexpr int most_halvings_without_loss = 2;
-constexpr double max_growth = 1.05;
 } // namespace
 
 float
@@ -33,7 +31,7 @@ halvingsWithoutLoss (ThinnedNoise& noise, int halvings_to_resolve)
 {
   if (noise.ratio (0) <= resolved_ratio) // in clumps
     return most_halvings_without_loss;
-  const double all = max_growth * noise.residual (halvings_to_resolve);
+  const double all = max_growth_without_loss * noise.residual (halvings_to_resolve);
   int halvings = halvings_to_resolve;
   while (halvings < std::min (noise.mostHalvings (), halvings_to_resolve + most_halvings_without_loss) &&
          noise.residual (halvings + 1) <= all)

@@ -13,17 +13,14 @@ namespace core
 {
 namespace
 {
-// Points of the sample in a region, twice as many at most: a sigma comes out within a tenth.
-constexpr std::size_t region_size = 64;
-
 using Sample = std::vector<LocalValue>;
 
 /** Splits the sample in halves along its longest side, again and again. */
 class RegionFinder
 {
 public:
-  RegionFinder (Sample sample, float spacing, double level)
-  : sample_ (std::move (sample)), spacing_ (spacing), level_ (level)
+  RegionFinder (Sample sample, float spacing, double level, std::size_t region_size)
+  : sample_ (std::move (sample)), spacing_ (spacing), level_ (level), region_size_ (region_size)
   {
     split (0, sample_.size ());
   }
@@ -41,7 +38,7 @@ private:
     Eigen::AlignedBox3f box;
     for (std::size_t i = begin; i < end; ++i)
       box.extend (sample_[i].place);
-    if (end - begin < 2 * region_size)
+    if (end - begin < 2 * region_size_)
       return add (begin, end, box);
     int axis;
     box.sizes ().maxCoeff (&axis);
@@ -71,6 +68,7 @@ private:
   Sample sample_;
   float spacing_;
   double level_;
+  std::size_t region_size_;
   std::vector<RegionalField::Region> regions_;
 };
 } // namespace
@@ -109,9 +107,9 @@ RegionalField::inUnit (double unit) const
 }
 
 RegionalField
-regionalQuantiles (std::vector<LocalValue> sample, float spacing, double level)
+regionalQuantiles (std::vector<LocalValue> sample, float spacing, double level, std::size_t region_size)
 {
-  return {RegionFinder (std::move (sample), spacing, level).regions ()};
+  return {RegionFinder (std::move (sample), spacing, level, region_size).regions ()};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -51,7 +51,7 @@ extrapolated (double small, double large, double slope, double largest_excess)
 bool
 isQuantised (double by_8, double by_12, double by_16)
 {
-  return by_12 > 5 * by_8 && by_16 < 1.3 * by_12;
+  return by_12 > 5 * by_8 && by_16 < 1.4 * by_12;
 }
 
 /** How much more quadrics leave of the largest neighbourhoods than of the smallest, as a ratio of sigmas: 1 without detail. */
@@ -66,7 +66,7 @@ double
 sigmaInRelief (const ResidualVariances& variances, double sigma)
 {
   const double least = varianceBy (lowest, variances, of_12);
-  const bool is_one_noise = ratioOfSigmas (varianceBy (bottom, variances, of_12), least) > .85;
+  const bool is_one_noise = least > 0 && ratioOfSigmas (varianceBy (bottom, variances, of_12), least) > .85;
   const double certainty = is_one_noise ? ramp (growthOf (lower, variances), 1.2, .1) : 0;
   return sigma - certainty * std::max (0.0, sigma - 1.15 * std::sqrt (least));
 }
@@ -75,12 +75,13 @@ sigmaInRelief (const ResidualVariances& variances, double sigma)
 double
 leastSigma (const ResidualVariances& variances)
 {
-  const double lower_8 = varianceBy (lower, variances, smallestToTrust (variances)),
-               lower_12 = varianceBy (lower, variances, of_12);
+  const std::size_t smallest = smallestToTrust (variances);
+  const double lower_8 = varianceBy (lower, variances, smallest), lower_12 = varianceBy (lower, variances, of_12);
   const double low = extrapolated (lower_8, lower_12, .3, 2.5), least = extrapolated (lower_8, lower_12, .9, 2.5);
   const double middle =
-      extrapolated (varianceBy (median, variances, of_8), varianceBy (median, variances, of_12), .3, 2.5);
-  const double high = extrapolated (varianceBy (upper, variances, of_8), varianceBy (upper, variances, of_16), .4, 3);
+      extrapolated (varianceBy (median, variances, smallest), varianceBy (median, variances, of_12), .3, 2.5);
+  const double high =
+      extrapolated (varianceBy (upper, variances, smallest), varianceBy (upper, variances, of_16), .4, 3);
   return sigmaInRelief (variances, std::sqrt (std::min ({1.1 * low, 1.05 * middle, std::max (high, .75 * least)})));
 }
 

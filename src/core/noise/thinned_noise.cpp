@@ -53,20 +53,18 @@ ThinnedNoise::shown (int halvings)
   return shown_[static_cast<std::size_t> (halvings)];
 }
 
-ThinnedNoiseOfCloud::ThinnedNoiseOfCloud (const NeighborGraph& graph,
-                                          const Positions& nodes,
-                                          const Execution& execution)
+ThinnedNoise::ThinnedNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 : graph_ (graph), nodes_ (nodes), execution_ (execution), sample_ (sampleNodes (nodes, noise_sample_size, execution))
 {}
 
 int
-ThinnedNoiseOfCloud::mostHalvings () const
+ThinnedNoise::mostHalvings () const
 {
   return ThinnedCloud::mostHalvings (nodes_.size (), ThinnedCloud::least_size);
 }
 
 NoiseSample
-ThinnedNoiseOfCloud::thinnedSample (int halvings)
+ThinnedNoise::thinnedSample (int halvings) const
 {
   const std::uint32_t length = rowLength ();
   if (halvings == 0 || sample_.empty ())
@@ -79,8 +77,14 @@ ThinnedNoiseOfCloud::thinnedSample (int halvings)
   return sampleNoise (*graph_.withRows (sample_, rows, length), nodes_, sample_, nodes_.size (), execution_);
 }
 
+std::vector<Differences>
+ThinnedNoise::differencesAfter (int halvings) const
+{
+  return ThinnedSample (graph_, nodes_, execution_).differencesAfter (halvings);
+}
+
 bool
-ThinnedNoiseOfCloud::hasTurningPlanes () const
+ThinnedNoise::hasTurningPlanes () const
 {
   std::size_t turned = 0, all = 0;
   for (const Differences& differences : quickSample (graph_, nodes_, execution_)) {
@@ -93,19 +97,9 @@ ThinnedNoiseOfCloud::hasTurningPlanes () const
 }
 
 double
-ThinnedNoiseOfCloud::thickness () const
+ThinnedNoise::thickness () const
 {
   return cloudThickness (nodes_, execution_);
-}
-
-NoiseSample
-ThinnedNoiseOfPart::thinnedSample (int halvings)
-{
-  NoiseSample part = cloud_.sample (halvings);
-  part.short_rows = 0; // of the cloud
-  const auto is_out = [this] (const NoiseSample::Residuals& residuals) { return !isIn (residuals.place); };
-  part.of_nodes.erase (std::remove_if (part.of_nodes.begin (), part.of_nodes.end (), is_out), part.of_nodes.end ());
-  return part;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

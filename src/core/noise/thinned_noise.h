@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "differences.h"
+
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 
 #include <cstdint>
@@ -15,15 +17,17 @@ namespace core
 NoiseEstimate
 estimateThinnedNoise (const NoiseSample& sample);
 
-/** The noise as neighbourhoods in thinner clouds show it: in all of a cloud, in half of it, a quarter ... What was asked for is kept. */
+/** The noise as neighbourhoods in thinner clouds show it: in all of a cloud, in half of it, a quarter ... What was
+  * asked for is kept. */
 class ThinnedNoise
 {
 public:
-  virtual ~ThinnedNoise () = default;
+  /** \param[in] graph of all nodes, its rows have at least 16 points; all kept while this is used */
+  ThinnedNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
   /** How often the cloud can be halved. */
-  virtual int
-  mostHalvings () const = 0;
+  int
+  mostHalvings () const;
 
   /** Where so many halvings thin the cloud, up to mostHalvings; 0: as it is. */
   const NoiseSample&
@@ -49,45 +53,20 @@ public:
     return shown (halvings).residual;
   }
 
-  /** Of the largest neighbourhoods, the upper quartile over the lower one of the variances that their quadrics leave: of one
-    * noise quartile_ratio_of_16, of two sheets less, of detail more. */
+  /** Of the largest neighbourhoods, the upper quartile over the lower one of the variances that their quadrics leave:
+    * of one noise quartile_ratio_of_16, of two sheets less, of detail more. */
   double
   spread (int halvings)
   {
     return shown (halvings).spread;
   }
 
-protected:
-  /** The sample where so many halvings thin the cloud, not kept. */
-  virtual NoiseSample
-  thinnedSample (int halvings) = 0;
+  /** From the points of the sample to their nearest where so many halvings thin the cloud: see ThinnedSample. */
+  std::vector<Differences>
+  differencesAfter (int halvings) const;
 
-private:
-  struct Shown
-  {
-    NoiseSample sample;
-    NoiseEstimate noise;
-    double residual, spread;
-  };
-
-  const Shown&
-  shown (int halvings);
-
-  std::deque<Shown> shown_; // by the number of halvings; what was given out stays where it is
-};
-
-/** That of a whole cloud. */
-class ThinnedNoiseOfCloud : public ThinnedNoise
-{
-public:
-  /** \param[in] graph of all nodes, its rows have at least 16 points; all kept while this is used */
-  ThinnedNoiseOfCloud (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
-
-  int
-  mostHalvings () const override;
-
-  /** Whether planes through the nearest half of a neighbourhood often are others than those through all of it: where it is a ball
-    * or a ribbon inside the noise. */
+  /** Whether planes through the nearest half of a neighbourhood often are others than those through all of it: where it
+    * is a ball or a ribbon inside the noise. */
   bool
   hasTurningPlanes () const;
 
@@ -108,47 +87,25 @@ public:
     return static_cast<std::uint32_t> (graph_.minRowLength ());
   }
 
-protected:
-  NoiseSample
-  thinnedSample (int halvings) override;
-
 private:
+  struct Shown
+  {
+    NoiseSample sample;
+    NoiseEstimate noise;
+    double residual, spread;
+  };
+
+  const Shown&
+  shown (int halvings);
+
+  NoiseSample
+  thinnedSample (int halvings) const;
+
   const NeighborGraph& graph_;
   const Positions& nodes_;
   const Execution& execution_;
   std::vector<std::uint32_t> sample_;
-};
-
-/** That of those points of the sample where a number is above \a low, and at most \a high. */
-class ThinnedNoiseOfPart : public ThinnedNoise
-{
-public:
-  /** \param[in] cloud, number kept while this is used */
-  ThinnedNoiseOfPart (ThinnedNoise& cloud, const RegionalField& number, float low, float high)
-  : cloud_ (cloud), number_ (number), low_ (low), high_ (high)
-  {}
-
-  int
-  mostHalvings () const override
-  {
-    return cloud_.mostHalvings ();
-  }
-
-protected:
-  NoiseSample
-  thinnedSample (int halvings) override;
-
-private:
-  bool
-  isIn (const Eigen::Vector3f& place) const
-  {
-    const float value = number_.valueAt (place, 0);
-    return value > low_ && value <= high_;
-  }
-
-  ThinnedNoise& cloud_;
-  const RegionalField& number_;
-  float low_, high_;
+  std::deque<Shown> shown_; // by the number of halvings; what was given out stays where it is
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

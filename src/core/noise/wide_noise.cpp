@@ -41,7 +41,8 @@ constexpr double max_thickness = .45;
 // has to be a whole sample.
 constexpr double clumped_ratio = .1;
 constexpr double resolved_drop_in_clumps = .92, resolved_drop_of_two = .7;
-// Half of the points of a volume lie 1.26 times as far apart, and what quadrics leave of it grows no more; of detail it grows faster.
+// Half of the points of a volume lie 1.26 times as far apart, and what quadrics leave of it grows no more; of detail it
+// grows faster.
 constexpr double max_growth_in_clumps = 1.4;
 constexpr std::size_t least_to_quarter = 4 * noise_sample_size;
 // Where all points lie in clumps, as in the frames of a camera that stands still, sixteen reach beyond a clump: what
@@ -58,7 +59,7 @@ constexpr double least_excess_ratio = .45, most_excess_ratio = .5;
 constexpr float least_excess = 1.2f;
 
 bool
-hidesNoise (ThinnedNoiseOfCloud& noise)
+hidesNoise (ThinnedNoise& noise)
 {
   const double ratio = noise.ratio (0);
   const auto dropsBelow = [&] (double share, int halvings) { return noise.ratio (halvings) < share * ratio; };
@@ -78,7 +79,7 @@ showsOneNoise (ThinnedNoise& noise, int halvings)
 
 /** As halvingsToResolve, where all points lie in clumps. */
 int
-halvingsToResolveClumps (ThinnedNoiseOfCloud& noise)
+halvingsToResolveClumps (ThinnedNoise& noise)
 {
   const auto gain = [&] (int from, int to) { return noise.noise (to).sigma / noise.noise (from).sigma; };
   const auto growth = [&] (int from, int to) { return noise.residual (to) / noise.residual (from); };
@@ -95,7 +96,7 @@ halvingsToResolveClumps (ThinnedNoiseOfCloud& noise)
 /** \return how often the cloud has to be halved, as a whole, to resolve its noise; 0 where that needs no halving, or
   * where no surface is seen however often: leaves and grass stay as they are */
 int
-halvingsToResolve (ThinnedNoiseOfCloud& noise)
+halvingsToResolve (ThinnedNoise& noise)
 {
   const int most = noise.mostHalvings ();
   if (most == 0)
@@ -129,10 +130,10 @@ detectSheets (const Positions& cloud, const NoiseEstimate& noise, const Executio
                        execution);
 }
 
-/** Close sheets look like wide noise; and so do clumps inside the noise, but these do not show two peaks, and show one noise
-  * where they are thin enough. */
+/** Close sheets look like wide noise; and so do clumps inside the noise, but these do not show two peaks, and show one
+  * noise where they are thin enough. */
 bool
-mayBeSheets (ThinnedNoiseOfCloud& cloud, int to_resolve, const SheetDetection& sheets)
+mayBeSheets (ThinnedNoise& cloud, int to_resolve, const SheetDetection& sheets)
 {
   const bool are_clumps = to_resolve > 0 && cloud.ratio (0) <= resolved_ratio && showsOneNoise (cloud, to_resolve);
   return sheets.estimate.gap > 0 || (sheets.may_exist && !are_clumps);
@@ -149,7 +150,7 @@ excessOf (int halvings_without_loss, double ratio)
 
 /** The same noise all over the cloud, or nearly so. */
 WideNoise
-wideNoiseOfCloud (ThinnedNoiseOfCloud& cloud, int to_resolve)
+wideNoiseOfCloud (ThinnedNoise& cloud, int to_resolve)
 {
   const NoiseEstimate& noise = cloud.noise (to_resolve);
   const float sigma = sigmaOf (cloud, to_resolve);
@@ -165,6 +166,16 @@ wideNoiseOfCloud (ThinnedNoiseOfCloud& cloud, int to_resolve)
     wide.ratios = regionalMedians (ratios, noise.spacing);
   return wide;
 }
+/** Where it varies, halvings that resolve the noise of the whole cloud are too many here and too few there. But in
+  * clumps only the whole shows it. */
+WideNoise
+wideNoiseOf (ThinnedNoise& cloud, int to_resolve, const Execution& execution)
+{
+  if (to_resolve > 0 && (cloud.noise (to_resolve).field.isEven () || cloud.ratio (0) <= resolved_ratio))
+    return wideNoiseOfCloud (cloud, to_resolve);
+  const WideNoise of_part = wideNoiseOfPart (cloud, execution);
+  return to_resolve > 0 && !(of_part.sigma > 0) ? wideNoiseOfCloud (cloud, to_resolve) : of_part;
+}
 } // namespace
 
 WideNoise
@@ -173,11 +184,11 @@ estimateWideNoise (const NeighborGraph& graph, const Positions& nodes, const Exe
   if (graph.minRowLength () < noise_row_length)
     return {};
   const Execution still = execution.still ();
-  ThinnedNoiseOfCloud cloud (graph, nodes, still);
+  ThinnedNoise cloud (graph, nodes, still);
   const int to_resolve = halvingsToResolve (cloud);
-  const WideNoise wide = to_resolve > 0 ? wideNoiseOfCloud (cloud, to_resolve) : wideNoiseOfPart (cloud);
+  const WideNoise wide = wideNoiseOf (cloud, to_resolve, still);
   return wide.sigma > 0 && mayBeSheets (cloud, to_resolve, detectSheets (nodes, cloud.noise (0), still)) ? WideNoise ()
-                                                                                                        : wide;
+                                                                                                         : wide;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

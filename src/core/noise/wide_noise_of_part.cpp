@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wide_noise_of_part.h"
 
+#include "../nodes_where.h"
 #include "../quantile.h"
+#include "local_residuals.h"
 #include "noise_reach.h"
-#include "residual_quantiles.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -15,129 +16,239 @@ namespace core
 {
 namespace
 {
-// Where the noise is wide in a part of the cloud only. From one halving to four, neighbourhoods become 2.8 times as wide.
-constexpr int few_halvings = 1, more_halvings = 4;
-constexpr float min_shown_ratio = .3f;
-constexpr float growth_of_wide = 1.3f, growth_near_wide = 1.2f;
-constexpr std::size_t least_part = 64; // of the sample
-constexpr double min_growth_in_part = 1.4;
-constexpr double max_spread_in_part = 1.2;
+// Ratios of LocalResiduals. Noise of .7 spacings has the first, and quadrics leave .85 of it; larger noise has no more
+// than .8, of which half and more is hidden. Below the second, quadrics leave nearly all of it.
+constexpr double hidden_ratio = .6, shown_ratio = .45;
+// A halving makes what quadrics leave of noise at most 1.27 times as large, and hardly larger once it is shown. These
+// are for medians of 48 points; of detail it grows to twice and more.
+constexpr double max_growth = 1.5, max_growth_shown = 1.25;
+// Two sheets look like noise that is hidden, but their heights are bimodal. Of the 32 nearest the medians over places
+// around are .42 for noise, .35 to .54 at single places, and .5 to .77 for thin walls. The first is for all places
+// where noise is shown, the second for one.
+constexpr float max_bimodality = .46f, max_bimodality_of_place = .55f;
+// Where noise was never hidden, it is shown by the first of so many halvings, or it is not told from detail; and it
+// grows less, for nothing is at stake there but that sigma is read too small.
+constexpr int most_halvings_to_show = 3;
+constexpr double max_growth_plain = 1.15, max_growth_plain_of_two = 1.2;
+// Of a sample of 4,096; fewer points than one neighbourhood of it are found by chance.
+constexpr std::size_t least_part = 32;
+constexpr std::size_t region_size = 16; // medians were taken before
+// Below 0: places count for each other, and near ones should not grow for the sake of far ones.
+constexpr float halvings_beside = -1;
+constexpr double min_variation = 1.8; // of sigma; what is read of even noise varies by 1.6
 
-/** A number of the residuals at the places of the sample, by regions; those where it is not finite do not count. */
-template <typename Number>
-RegionalField
-regionalNumbers (ThinnedNoise& cloud, const Number& number)
+/** The noise of a place, as so many halvings show it; sigma 0: they do not. */
+struct ShownNoise
 {
-  const std::vector<NoiseSample::Residuals>& all = cloud.sample (0).of_nodes;
-  std::vector<LocalValue> numbers;
-  for (std::size_t s = 0; s < all.size (); ++s)
-    if (const float value = number (s); std::isfinite (value))
-      numbers.push_back ({all[s].place, value});
-  return numbers.empty () ? RegionalField () : regionalMedians (numbers, cloud.noise (0).spacing);
+  int halvings = 0;
+  float sigma = 0;
+};
+
+/** sigma, of what quadrics through 16 points leave. \param[in] ratio up to shown_ratio */
+float
+sigmaOfShown (const LocalResiduals& residuals, std::size_t s)
+{
+  const double above = std::max (0.0, residuals.ratio (s) - .3);
+  return static_cast<float> (residuals.sigmas[s] / (1 - 1.7 * above * above));
 }
 
-/** How much more noise the nearest points show where more halvings thin the cloud, by regions: 1 where it is
-  * resolved, or is small against their spacing. Without regions where it is so everywhere. */
-RegionalField
-growthOfNoise (ThinnedNoise& cloud)
-{
-  const auto sigma = [&cloud] (int halvings, std::size_t s) {
-    return std::sqrt (cloud.sample (halvings).of_nodes[s].variances.front ());
-  };
-  const RegionalField ratios = regionalNumbers (cloud, [&] (std::size_t s) {
-    return sigma (0, s) / (static_cast<float> (spacing_of_reach) * cloud.sample (0).of_nodes[s].distance);
-  });
-  const auto is_small = [] (const RegionalField::Region& region) { return region.value < min_shown_ratio; };
-  if (std::all_of (ratios.regions.begin (), ratios.regions.end (), is_small))
-    return {};
-  for (const int halvings : {few_halvings, more_halvings})
-    if (cloud.sample (halvings).of_nodes.size () != cloud.sample (0).of_nodes.size ())
-      return {}; // where many points lie in one place these are not the same nodes
-  RegionalField growth = regionalNumbers (cloud, [&] (std::size_t s) {
-    return sigma (few_halvings, s) > 0 ? sigma (more_halvings, s) / sigma (few_halvings, s) : 1;
-  });
-  for (RegionalField::Region& region : growth.regions)
-    if (ratios.valueAt (region.centre, 0) < min_shown_ratio)
-      region.value = 1;
-  return growth;
-}
-
-/** How far the quartiles of what quadrics leave are apart, as a ratio of sigmas: 1 of one noise, more of detail. */
-double
-spreadOf (const NoiseSample& sample)
-{
-  std::vector<float> variances;
-  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
-    if (std::isfinite (residuals.variances[of_12]) && residuals.distance > 0)
-      variances.push_back (residuals.variances[of_12] / (residuals.distance * residuals.distance));
-  return std::sqrt (quantile (variances, .75) / (quartile_ratio_of_12 * quantile (variances, .25)));
-}
-
-/** Whether a part of the cloud hides noise, of which its regions show more and more as it is thinned. Detail does, too, but is not the
-  * same all over it. */
 bool
-hidesNoiseInPart (ThinnedNoise& part)
+isHidden (LocalResidualsOfCloud& cloud, std::size_t s)
 {
-  if (part.sample (0).of_nodes.size () < least_part || !(part.ratio (0) > resolved_ratio))
-    return false;
-  const double growth =
-      part.ratio (more_halvings) / part.ratio (few_halvings) * std::exp2 (.5 * (more_halvings - few_halvings));
-  return growth > min_growth_in_part && spreadOf (part.sample (0)) < max_spread_in_part;
+  return cloud.after (0).ratio (s) >= hidden_ratio;
 }
 
-/** \return how often the cloud has to be halved to resolve the noise of a part that hides it; 0: there is no surface */
-int
-halvingsToResolvePart (ThinnedNoise& part)
+/** A first look, which is cheap. */
+bool
+mayHideNoise (const NoiseSample& sample)
 {
-  for (int halvings = 1; halvings < part.mostHalvings (); ++halvings)
-    if (part.ratio (halvings) < resolved_ratio && part.ratio (halvings + 1) < resolved_drop * part.ratio (halvings))
-      return halvings;
+  const auto hidden = nodesWhere (sample.of_nodes.size (), [&] (std::size_t s) {
+    const NoiseSample::Residuals& residuals = sample.of_nodes[s];
+    return sigmaOfLargest (residuals) > hidden_ratio * spacingAt (residuals);
+  });
+  return hidden.size () >= least_part;
+}
+
+/** Of a place where it is hidden. Nothing is shown where there is detail, or no surface however often the cloud is
+  * halved. */
+ShownNoise
+hiddenNoise (LocalResidualsOfCloud& cloud, std::size_t s)
+{
+  for (int halvings = 1; halvings < cloud.mostHalvings (); ++halvings) {
+    const LocalResiduals& shown = cloud.after (halvings);
+    if (shown.growthFrom (cloud.after (halvings - 1), s) > max_growth)
+      break;
+    if (shown.ratio (s) < shown_ratio)
+      return cloud.after (halvings + 1).growthFrom (shown, s) < max_growth_shown
+                 ? ShownNoise {halvings, sigmaOfShown (shown, s)}
+                 : ShownNoise ();
+  }
+  return {};
+}
+
+/** \return sigma of a place where little or nothing is hidden; 0: there is detail */
+float
+plainSigma (LocalResidualsOfCloud& cloud, std::size_t s)
+{
+  for (int halvings = 0; halvings < std::min (most_halvings_to_show, cloud.mostHalvings () - 1); ++halvings)
+    if (const LocalResiduals& shown = cloud.after (halvings); shown.ratio (s) < shown_ratio)
+      return cloud.after (halvings + 1).growthFrom (shown, s) < max_growth_plain &&
+                     cloud.after (halvings + 2).growthFrom (shown, s) < max_growth_plain_of_two
+                 ? sigmaOfShown (shown, s)
+                 : 0;
   return 0;
 }
 
-/** sigma at the places of a sample. */
-std::vector<LocalValue>
-localSigmas (const NoiseSample& sample, const NoiseField& field, float sigma)
+/** Of the heights about the places where noise is shown, as the halvings that show it thin the cloud. */
+std::vector<float>
+bimodalities (const std::vector<ShownNoise>& noise, const ThinnedNoise& thinned)
 {
+  std::vector<float> of_places (noise.size ());
+  for (int halvings = 1; halvings < thinned.mostHalvings (); ++halvings) {
+    const auto shown = nodesWhere (noise.size (), [&] (std::size_t s) { return noise[s].halvings == halvings; });
+    if (shown.empty ())
+      continue;
+    const std::vector<Differences> differences = thinned.differencesAfter (halvings);
+    for (const std::uint32_t s : shown)
+      of_places[s] = static_cast<float> (bimodality (differences[s]));
+  }
+  return of_places;
+}
+
+/** The median by sigma of what is shown at places, where there is any. */
+ShownNoise
+usualNoise (const std::vector<std::uint32_t>& places, const std::vector<ShownNoise>& noise)
+{
+  std::vector<ShownNoise> shown;
+  for (const std::uint32_t s : places)
+    shown.push_back (noise[s]);
+  const auto middle = shown.begin () + static_cast<std::ptrdiff_t> (shown.size () / 2);
+  std::nth_element (shown.begin (), middle, shown.end (), [] (const ShownNoise& a, const ShownNoise& b) {
+    return std::make_pair (a.sigma, a.halvings) < std::make_pair (b.sigma, b.halvings);
+  });
+  return *middle;
+}
+
+float
+medianOf (const std::vector<std::uint32_t>& places, const std::vector<float>& values)
+{
+  std::vector<float> of_places;
+  for (const std::uint32_t s : places)
+    of_places.push_back (values[s]);
+  return quantile (of_places, .5);
+}
+
+/** At the places of the sample; sigma 0 where nothing is hidden. */
+std::vector<ShownNoise>
+hiddenNoise (LocalResidualsOfCloud& cloud, const ThinnedNoise& thinned)
+{
+  std::vector<ShownNoise> noise (cloud.size ()), usual (cloud.size ());
+  const auto hidden = nodesWhere (cloud.size (), [&] (std::size_t s) { return isHidden (cloud, s); });
+  if (hidden.size () < least_part)
+    return usual;
+  for (const std::uint32_t s : hidden)
+    noise[s] = hiddenNoise (cloud, s);
+  const auto isShown = [&noise] (std::size_t s) { return noise[s].sigma > 0; };
+  const std::vector<float> of_heights = bimodalities (noise, thinned);
+  std::vector<float> around_shown;
+  for (const std::uint32_t s : hidden) {
+    std::vector<std::uint32_t> shown = cloud.around (s);
+    shown.erase (std::remove_if (shown.begin (), shown.end (), [&] (auto other) { return !isShown (other); }),
+                 shown.end ());
+    if (3 * shown.size () < cloud.around (s).size ())
+      continue; // a few, by chance
+    around_shown.push_back (medianOf (shown, of_heights));
+    if (around_shown.back () < max_bimodality_of_place)
+      usual[s] = usualNoise (shown, noise);
+  }
+  return quantile (around_shown, .5) < max_bimodality ? usual : std::vector<ShownNoise> (cloud.size ());
+}
+
+/** As halvingsWithoutLoss, of the places that hide noise. */
+int
+halvingsWithoutLoss (LocalResidualsOfCloud& cloud, const std::vector<ShownNoise>& noise)
+{
+  int without_loss = 0;
+  for (; without_loss < most_halvings_without_loss; ++without_loss) {
+    std::vector<float> growths;
+    for (std::size_t s = 0; s < noise.size (); ++s)
+      if (const int wider = noise[s].halvings + without_loss + 1; noise[s].sigma > 0 && wider <= cloud.mostHalvings ())
+        growths.push_back (static_cast<float> (cloud.after (wider).growthFrom (cloud.after (noise[s].halvings), s)));
+    if (growths.empty () || quantile (growths, .5) > max_growth_without_loss)
+      break;
+  }
+  return without_loss;
+}
+
+/** To the spacing that the cloud has on the surface: the nearest of a ball inside the noise are farther apart. */
+float
+ratioToSpacing (const ShownNoise& noise, LocalResidualsOfCloud& cloud, std::size_t s)
+{
+  const float of_thinned = cloud.after (noise.halvings).spacings[s];
+  return noise.sigma / of_thinned * std::exp2 (.5f * static_cast<float> (noise.halvings));
+}
+
+/** At the places of the sample, whatever hides there. */
+std::vector<LocalValue>
+sigmasOf (const std::vector<ShownNoise>& hidden, const NoiseSample& sample, LocalResidualsOfCloud& cloud)
+{
+  const NoiseEstimate unthinned = estimateNoise (sample);
   std::vector<LocalValue> sigmas;
-  for (const NoiseSample::Residuals& residuals : sample.of_nodes)
-    sigmas.push_back ({residuals.place, sigma * field.factorAt (residuals.place)});
+  for (std::size_t s = 0; s < hidden.size (); ++s) {
+    const Eigen::Vector3f& place = sample.of_nodes[s].place;
+    const float read = unthinned.sigma * unthinned.field.factorAt (place);
+    sigmas.push_back ({place, hidden[s].sigma > 0 ? hidden[s].sigma : std::max (plainSigma (cloud, s), read)});
+  }
   return sigmas;
 }
 
+/** How often the cloud has to be halved, at the places of the sample. */
+std::vector<LocalValue>
+halvingsOf (const std::vector<ShownNoise>& hidden,
+            const NoiseSample& sample,
+            std::uint32_t row_length,
+            LocalResidualsOfCloud& cloud)
+{
+  std::vector<LocalValue> ratios;
+  for (std::size_t s = 0; s < hidden.size (); ++s)
+    ratios.push_back ({sample.of_nodes[s].place, hidden[s].sigma > 0 ? ratioToSpacing (hidden[s], cloud, s) : 0});
+  std::vector<LocalValue> halvings = halvingsToReach (halvingsWithoutLoss (cloud, hidden), ratios, row_length);
+  for (std::size_t s = 0; s < hidden.size (); ++s)
+    if (!(hidden[s].sigma > 0))
+      halvings[s].value = halvings_beside;
+  return halvings;
+}
+
+/** Whether some of the noise is so much larger that it is not the same everywhere, which is sought elsewhere. */
+bool
+varies (const std::vector<float>& sigmas)
+{
+  return quantile (sigmas, .95) > min_variation * quantile (sigmas, .05);
+}
 } // namespace
 
 WideNoise
-wideNoiseOfPart (ThinnedNoiseOfCloud& cloud)
+wideNoiseOfPart (ThinnedNoise& thinned, const Execution& execution)
 {
-  const NoiseEstimate& unthinned = cloud.noise (0);
-  if (!(unthinned.spacing > 0) || cloud.mostHalvings () < more_halvings)
+  const NoiseSample& sample = thinned.sample (0);
+  const float spacing = thinned.noise (0).spacing;
+  if (!(spacing > 0) || sample.short_rows > 0 || sample.of_nodes.size () < LocalResidualsOfCloud::points_of_median ||
+      !mayHideNoise (sample))
     return {};
-  const RegionalField growth = growthOfNoise (cloud);
-  constexpr float infinity = std::numeric_limits<float>::infinity ();
-  ThinnedNoiseOfPart inner (cloud, growth, growth_of_wide, infinity), wide (cloud, growth, growth_near_wide, infinity),
-      other (cloud, growth, -1, growth_near_wide);
-  const int to_resolve = hidesNoiseInPart (inner) ? halvingsToResolvePart (inner) : 0;
-  if (to_resolve == 0)
+  LocalResidualsOfCloud cloud (thinned, execution);
+  const std::vector<ShownNoise> hidden = hiddenNoise (cloud, thinned);
+  if (nodesWhere (hidden.size (), [&] (std::size_t s) { return hidden[s].sigma > 0; }).size () < least_part)
     return {};
-  const float sigma = sigmaOf (wide, to_resolve);
-  const NoiseField& field = wide.noise (to_resolve).field;
-  std::vector<LocalValue> halvings = halvingsToReach (halvingsWithoutLoss (wide, to_resolve),
-                                                      localRatios (wide, to_resolve, sigma), cloud.rowLength ());
-  std::vector<LocalValue> sigmas = localSigmas (wide.sample (to_resolve), field, sigma);
-  for (const LocalValue& local : localSigmas (other.sample (0), unthinned.field, unthinned.sigma)) {
-    sigmas.push_back (local);
-    halvings.push_back ({local.place, 0});
-  }
+  const std::vector<LocalValue> sigmas = sigmasOf (hidden, sample, cloud);
   std::vector<float> values;
-  for (const LocalValue& local : sigmas)
-    values.push_back (local.value);
+  for (const LocalValue& sigma : sigmas)
+    values.push_back (sigma.value);
   WideNoise noise;
   noise.sigma = quantile (values, .5);
-  if (!(noise.sigma > 0)) // most of the cloud is clean
+  if (!(noise.sigma > 0) || !varies (values)) // most of the cloud is clean; or none of it is
     return {};
-  noise.field = relativeField (regionalMedians (sigmas, unthinned.spacing), noise.sigma);
-  noise.halvings = regionalMedians (halvings, unthinned.spacing);
+  noise.field = relativeField (regionalMedians (sigmas, spacing, region_size), noise.sigma);
+  noise.halvings = regionalMedians (halvingsOf (hidden, sample, thinned.rowLength (), cloud), spacing, region_size);
   noise.is_everywhere = false;
   return noise;
 }

@@ -9,9 +9,9 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Where the noise is wide in a part of the cloud only: that of depth cameras grows as the square of the distance, the spacing as
-  * the distance. \return sigma 0 where it is so nowhere */
+/** Where the noise is wide in a part of the cloud only, or differs from place to place: that of depth cameras grows as
+  * the square of the distance, the spacing as the distance. \return sigma 0 where it is so nowhere */
 WideNoise
-wideNoiseOfPart (ThinnedNoiseOfCloud& cloud);
+wideNoiseOfPart (ThinnedNoise& cloud, const Execution& execution);
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ray_motion.h"
 #include "step_taking.h"
 
 #include <pcl_normal_smoothing/core/chain/normal_filter.h>
@@ -79,6 +80,8 @@ public:
     }
     if (options_.rounds > 0)
       keepApart ();
+    if (options_.along_rays)
+      moveAlongRays (start_, normals_, options_.max_displacement, execution_.silent (), positions_);
   }
 
 private:

@@ -38,6 +38,15 @@ TEST (ResidualQuantilesTest, WhereEightTellNothingMoreDo)
   EXPECT_LT (sigma, 1.1);
 }
 
+TEST (ResidualQuantilesTest, WhereCoordinatesComeInStepsEightTellNothing)
+{
+  for (const double of_8 : {0., 1e-6, .01}) {
+    const double sigma = sigmaBy (variances ({of_8, 1, 1.3}), 0);
+    EXPECT_GT (sigma, 0.85) << of_8;
+    EXPECT_LT (sigma, 1.2) << of_8;
+  }
+}
+
 TEST (ResidualQuantilesTest, WhatIsNotClumpedStaysAsItIsRead)
 {
   EXPECT_EQ (sigmaInClumps (variances ({0.8, 1, 1.1}), 0.3), 0.3) << "noise";

@@ -113,9 +113,39 @@ TEST (WideNoiseTest, OfAPartOfTheCloud)
   const Eigen::Vector3f near (-.25f, 0, 1), far (2, 0, 5);
   EXPECT_LT (wide.halvings.valueAt (near, -1), .5f) << "neighbourhoods would grow";
   EXPECT_GT (wide.halvings.valueAt (far, -1), 1);
-  EXPECT_GT (wide.sigma * wide.field.factorAt (far), 0.5 * 0.002 * 25);
-  EXPECT_LT (wide.sigma * wide.field.factorAt (far), 1.5 * 0.002 * 25);
+  EXPECT_GT (wide.sigma * wide.field.factorAt (far), 0.85 * 0.002 * 25);
+  EXPECT_LT (wide.sigma * wide.field.factorAt (far), 1.15 * 0.002 * 25);
   EXPECT_LT (wide.sigma * wide.field.factorAt (near), 0.3 * 0.002 * 25);
+}
+
+TEST (WideNoiseTest, OfManyPartsEachIsReadForItself)
+{
+  Vectors points;
+  for (std::uint64_t i = 0; i < 3 * wide_count; ++i) { // the noise grows along x, from .2 to 4 spacings
+    const double x = 3 * uniformNoise (1, i), noise = (.2 + 3.8 * x / 3) * wide_spacing;
+    points.push_back (Eigen::Vector3d (x, uniformNoise (2, i), noise * gaussianNoise (3, i)).cast<float> ());
+  }
+  const WideNoise wide = wideNoiseOf (points);
+  float last = 0;
+  for (const float x : {1.f, 1.75f, 2.5f}) {
+    const Eigen::Vector3f place (x, .5f, 0);
+    const double sigma = (.2 + 3.8 * x / 3) * wide_spacing;
+    EXPECT_NEAR (wide.sigma * wide.field.factorAt (place), sigma, .15 * sigma) << x;
+    EXPECT_GT (wide.halvings.valueAt (place, 0), last) << x;
+    last = wide.halvings.valueAt (place, 0);
+  }
+}
+
+TEST (WideNoiseTest, ThinWallsInAPartAreNone)
+{
+  for (const float gap : {0.02f, 0.026f, 0.03f}) {
+    Vectors points = planeGrid (140, 0.01f).points;
+    const std::size_t on_one_side = points.size ();
+    for (std::size_t i = 0; i < on_one_side; ++i)
+      if (points[i].x () < .5f && points[i].y () < .7f)
+        points.push_back (points[i] + Eigen::Vector3f (.005f, .005f, gap));
+    EXPECT_EQ (wideNoiseOf (withNoise (points, 0.001, 1)).sigma, 0) << gap;
+  }
 }
 
 TEST (WideNoiseTest, OfAPartBesideWhatIsClean)

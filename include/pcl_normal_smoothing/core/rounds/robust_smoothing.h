@@ -27,6 +27,8 @@ struct RobustSmoothingOptions
   float sheet_distance = std::numeric_limits<float>::infinity ();
   /** No point ends farther from where it began, in the unit of the positions. */
   float max_displacement = std::numeric_limits<float>::infinity ();
+  /** The points are those of a depth camera at the origin, and end on the rays on which they began. */
+  bool along_rays = false;
 };
 
 /** \throw Error where an option is out of range */
