@@ -20,8 +20,8 @@ namespace
 constexpr double cosine_of_parallel = 1 - 1e-5;
 constexpr double cosine_of_facing = .77; // 40 degrees: pictures may show things at their rim only
 constexpr double min_share_flat = .05;   // noise leaves none; a scan of a table with a frayed wall has .1
-constexpr double min_share_parallel =
-    .12; // of those that are flat: on a slanting table, rows of pixels that are a step apart are, too
+// Of those that are flat. On a table that slants, rows of pixels that are a step apart are, too.
+constexpr double min_share_parallel = .12;
 constexpr double min_share_off = .1;  // likewise: have points near that are off their plane
 constexpr float max_deviation = .45f; // of half of the steps, as a logarithm: terraces differ more
 
