@@ -145,7 +145,7 @@ MUTATIONS = [
     ("wide noise: leaves are a surface", CORE + "noise/wide_noise.cpp", "return last < resolved_ratio_of_last ||", "return true ||"),
     ("wide noise: wide parts of the cloud tell nothing", CORE + "noise/wide_noise.cpp", "noise.thickness () < max_thickness", "false"),
     ("wide noise: of a part it is not seen", CORE + "noise/wide_noise_of_part.cpp", "hidden.size () < least_part)\n    return usual;", "true)\n    return usual;"),
-    ("wide noise: thin walls in a part are some", CORE + "noise/wide_noise_of_part.cpp", "max_bimodality = .46f", "max_bimodality = 2"),
+    ("wide noise: the shares of two sheets do not count", CORE + "noise/differences.cpp", "n * cubes * cubes / squares + ", ""),
     ("wide noise: what quadrics follow in a part is not made up for", CORE + "noise/wide_noise_of_part.cpp", "1 - 1.7 * above * above", "1.5"),
     ("layers: a table that slants has none", CORE + "noise/layer_estimate.cpp", "min_share_parallel = .12", "min_share_parallel = .5"),
     ("layers: points leave their rays", CORE + "whole_cloud.cpp", "options.rounds.along_rays = cloud.isOfCamera ();", ""),

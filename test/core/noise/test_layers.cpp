@@ -185,6 +185,16 @@ TEST (LayersTest, AreOfACameraAtTheOriginAlone)
   }
 }
 
+TEST (LayersTest, AreNotOfACameraFromWherePixelsAreNotAlike)
+{
+  Vectors points = tableBeforeACamera (50);
+  for (auto& point : points) // to the camera
+    point.z () -= 0.7f;
+  const LayerEstimate layers = layersOf (Searched (points));
+  EXPECT_TRUE (layers.hasLayers ());
+  EXPECT_FALSE (layers.are_of_camera);
+}
+
 TEST (LayersTest, CleanShapesHaveNone)
 {
   const Vectors plane = planeGrid (side, spacing).points;

@@ -2,6 +2,7 @@
 #include "noise/wide_clouds.h"
 #include "smoothed.h"
 
+#include <core/noise/differences.h>
 #include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
 #include <pcl_normal_smoothing/core/whole_cloud.h>
 
@@ -136,14 +137,33 @@ TEST (WideNoiseTest, OfManyPartsEachIsReadForItself)
   }
 }
 
+TEST (WideNoiseTest, HeightsOfTwoSheetsAreBimodalThoseOfNoiseAreNot)
+{
+  constexpr std::uint64_t count = 32, clouds = 100;
+  const auto meanBimodality = [] (double between, double share) {
+    double sum = 0;
+    for (std::uint64_t cloud = 0; cloud < clouds; ++cloud) {
+      Differences differences;
+      for (std::uint64_t i = cloud * count; i < (cloud + 1) * count; ++i)
+        differences.emplace_back (20 * uniformNoise (1, i), 20 * uniformNoise (2, i),
+                                  gaussianNoise (3, i) + (uniformNoise (4, i) < share ? between : 0));
+      sum += bimodality (differences) / clouds;
+    }
+    return sum;
+  };
+  EXPECT_LT (meanBimodality (0, 0), 0.45);
+  for (const double share : {0.2, 0.5})
+    EXPECT_GT (meanBimodality (6, share), 0.6) << share;
+}
+
 TEST (WideNoiseTest, ThinWallsInAPartAreNone)
 {
   for (const float gap : {0.02f, 0.026f, 0.03f}) {
     Vectors points = planeGrid (140, 0.01f).points;
     const std::size_t on_one_side = points.size ();
     for (std::size_t i = 0; i < on_one_side; ++i)
-      if (points[i].x () < .5f && points[i].y () < .7f)
-        points.push_back (points[i] + Eigen::Vector3f (.005f, .005f, gap));
+      if (points[i].x () < .4f && points[i].y () < .4f)
+        points.push_back (points[i] + Eigen::Vector3f (.005f, .005f, gap * (1 + points[i].x ())));
     EXPECT_EQ (wideNoiseOf (withNoise (points, 0.001, 1)).sigma, 0) << gap;
   }
 }
