@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "searched.h"
+#include "noise/layer_clouds.h"
 #include "smoothed.h"
 
 #include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
@@ -17,7 +17,7 @@ using namespace pcl_normal_smoothing::core;
 using namespace test_support;
 
 constexpr int side = 90;
-constexpr float spacing = 0.01f;
+constexpr float spacing = layer_spacing;
 
 using Surface = std::function<double (double x, double y)>;
 
@@ -43,39 +43,6 @@ hill (double x, double y)
 {
   const double middle = side * spacing / 2;
   return 0.3 * std::exp (-8 * ((x - middle) * (x - middle) + (y - middle) * (y - middle)));
-}
-
-/** Alike in patches of 3 x 3 pixels, as noise of the disparity is. */
-double
-patchNoise (double x, double y)
-{
-  const auto place =
-      static_cast<std::uint64_t> (std::lround (x / (3 * spacing)) * 1000 + std::lround (y / (3 * spacing)));
-  return gaussianNoise (7, place);
-}
-
-/** A depth camera that knows the disparity in steps looks at a table a metre away, tilted by as much. Rows of pixels that are a step
-  * apart are planes, too. */
-Vectors
-tableBeforeACamera (double degrees)
-{
-  constexpr double focal_length = 525, steps_of_metre = 345; // pixels; z²/345 m
-  const double slope = std::tan (degrees * M_PI / 180);
-  Vectors points;
-  for (int v = -60; v < 60; ++v)
-    for (int u = -60; u < 60; ++u) {
-      const Eigen::Vector3d ray (u / focal_length, v / focal_length, 1);
-      const double noise = .4 * patchNoise (0.01 * (u + 60), 0.01 * (v + 60));
-      const double disparity = std::round (steps_of_metre * (1 + slope * ray.y ()) + noise);
-      points.push_back ((steps_of_metre / disparity * ray).cast<float> ());
-    }
-  return points;
-}
-
-LayerEstimate
-layersOf (const Searched& cloud, unsigned threads = 2)
-{
-  return estimateLayers (*cloud.graph, cloud.nodes, Execution (threads));
 }
 
 bool
@@ -162,37 +129,6 @@ TEST (LayersTest, AreSeenWhereMostOfTheCloudHasNone)
   for (std::size_t i = 0; i < points.size (); ++i)
     points[i].z () += static_cast<float> (points[i].x () < 0.9f * side * spacing ? 0.003 * gaussianNoise (9, i) : 0);
   EXPECT_TRUE (haveLayers (points));
-}
-
-TEST (LayersTest, AreSeenOnATableThatSlants)
-{
-  for (const double degrees : {50., 60., 65.})
-    EXPECT_TRUE (haveLayers (tableBeforeACamera (degrees))) << degrees;
-}
-
-TEST (LayersTest, AreOfACameraAtTheOriginAlone)
-{
-  for (const double degrees : {0., 30., 50., 65.}) {
-    Vectors points = tableBeforeACamera (degrees);
-    EXPECT_TRUE (layersOf (Searched (points)).are_of_camera) << degrees;
-    for (const Eigen::Vector3f& away :
-         {Eigen::Vector3f (1, 0, 0), Eigen::Vector3f (2, 1, 0), Eigen::Vector3f (0, 0, -1)}) {
-      Vectors moved = points;
-      for (auto& point : moved)
-        point += away;
-      EXPECT_FALSE (layersOf (Searched (moved)).are_of_camera) << degrees << " by " << away.transpose ();
-    }
-  }
-}
-
-TEST (LayersTest, AreNotOfACameraFromWherePixelsAreNotAlike)
-{
-  Vectors points = tableBeforeACamera (50);
-  for (auto& point : points) // to the camera
-    point.z () -= 0.7f;
-  const LayerEstimate layers = layersOf (Searched (points));
-  EXPECT_TRUE (layers.hasLayers ());
-  EXPECT_FALSE (layers.are_of_camera);
 }
 
 TEST (LayersTest, CleanShapesHaveNone)
@@ -341,21 +277,6 @@ TEST_P (LayersPresets, WideStepsAreSmoothed)
       const Vectors stuck = sum (points, smoothed (asPositions (points), k, options).displacements);
       EXPECT_GT (meanError (stuck, surface), 0.9 * before) << step << ": the test is of no use";
     }
-}
-
-TEST_P (LayersPresets, PointsOfACameraStayInTheirPixels)
-{
-  constexpr float pixel = 1 / 525.f;
-  const Vectors points = tableBeforeACamera (50);
-  const std::uint32_t k = GetParam () ? 16 : 32;
-  const Vectors& moved = smoothed (asPositions (points), k, wideningOptions (GetParam ())).displacements;
-  double along = 0, aside = 0;
-  for (std::size_t i = 0; i < points.size (); ++i) {
-    along += std::abs (moved[i].dot (points[i].normalized ()));
-    aside += moved[i].cross (points[i].normalized ()).norm ();
-  }
-  EXPECT_GT (along, 0.2 * pixel * static_cast<double> (points.size ())) << "the test is of no use";
-  EXPECT_LT (aside, 0.05 * along);
 }
 
 INSTANTIATE_TEST_SUITE_P (Presets, LayersPresets, testing::Bool (), [] (const auto& preset) {
