@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_io.h"
 
+#include "coordinate_fields.h"
 #include "output_file.h"
 #include "pcd_format.h"
 #include "ply_format.h"
@@ -99,6 +100,10 @@ loadCloud (const std::string& path)
       readPcd (bytes, file);
     else
       readPly (bytes, file);
+    const CloudShape stored = shapeOf (file);
+    const CoordinateFields coordinates (stored);
+    coordinates.convert (file.cloud->data);
+    setShape (coordinates.shapeFrom (stored), file);
   }
   catch (const FormatError& error) {
     const std::string kind = extension == ".pcd" ? "PCD" : "PLY";

@@ -101,6 +101,18 @@ parseValue (std::string_view text, std::uint8_t datatype, std::uint8_t* value)
   });
 }
 
+double
+numberOf (const std::uint8_t* value, std::uint8_t datatype)
+{
+  double result = 0;
+  withType (datatype, [&] (auto number) {
+    std::memcpy (&number, value, sizeof number);
+    result = static_cast<double> (number);
+    return true;
+  });
+  return result;
+}
+
 void
 appendValue (const std::uint8_t* value, std::uint8_t datatype, std::string& text)
 {

@@ -20,6 +20,10 @@ sizeOfType (std::uint8_t datatype);
 bool
 parseValue (std::string_view text, std::uint8_t datatype, std::uint8_t* value);
 
+/** A number as the nearest double; 0 for a datatype that PCL does not know. */
+double
+numberOf (const std::uint8_t* value, std::uint8_t datatype);
+
 /** Appends a number as the shortest text that reads back to the same bits (NaN: as "nan"). */
 void
 appendValue (const std::uint8_t* value, std::uint8_t datatype, std::string& text);

@@ -96,6 +96,9 @@ PlyHeader
 readPlyHeader (ByteStream& stream)
 {
   PlyHeader header;
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of editors that save UTF-8
+  if (stream.peek (byte_order_mark.size ()).substr (0, byte_order_mark.size ()) == byte_order_mark)
+    stream.skip (byte_order_mark.size ());
   std::string_view line = nextLine (stream);
   if (line != "ply")
     throw FormatError ("is no PLY file, it does not begin with the line ply");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -17,7 +18,7 @@ namespace
 {
 using Field = pcl::PCLPointField;
 
-/** Reads past an element, or hands its scalar numbers to \a use (property name, value). */
+/** Reads an element, and hands its scalar numbers to \a use (property name, value). */
 template <typename Use>
 void
 readElement (const PlyElement& element, PlyValues& values, const Use& use)
@@ -96,8 +97,10 @@ private:
   static std::string
   fieldName (const std::string& name)
   {
-    const bool normal = name == "nx" || name == "ny" || name == "nz";
-    return normal ? "normal_" + name.substr (1) : name;
+    for (const char* const normal : {"nx", "ny", "nz", "NX", "NY", "NZ"})
+      if (name == normal)
+        return std::string ("normal_") + static_cast<char> (std::tolower (name[1]));
+    return name;
   }
 
   static std::size_t
@@ -141,19 +144,6 @@ firstLengths (const PlyElement& vertex, PlyHeader::Encoding encoding, PlyValues&
       values.read (property.datatype, bytes.data ());
   }
   return lengths;
-}
-
-double
-toDouble (std::uint8_t datatype, const std::uint8_t* bytes)
-{
-  if (datatype == Field::FLOAT32) {
-    float number;
-    std::memcpy (&number, bytes, sizeof number);
-    return number;
-  }
-  std::string text;
-  appendValue (bytes, datatype, text);
-  return std::strtod (text.c_str (), nullptr);
 }
 
 /** What PCL keeps in a camera element: the sensor's pose, and the width and height of the cloud. */
@@ -243,10 +233,13 @@ private:
   readOther (const PlyElement& element)
   {
     shape_.faces = element.name == "face" ? element.count : shape_.faces;
-    readElement (element, values_, [&] (const PlyProperty& property, const std::uint8_t* value) {
-      if (element.name == "camera")
-        camera_[property.name] = toDouble (property.datatype, value);
-    });
+    if (element.name != "camera" && header_.encoding == PlyHeader::Encoding::ASCII)
+      values_.skipLines (element.count);
+    else
+      readElement (element, values_, [&] (const PlyProperty& property, const std::uint8_t* value) {
+        if (element.name == "camera")
+          camera_[property.name] = numberOf (value, property.datatype);
+      });
   }
 
   PlyHeader header_;

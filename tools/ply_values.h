@@ -52,6 +52,18 @@ public:
     return static_cast<std::size_t> (length);
   }
 
+  /** Goes past lines of text that hold something: MeshLab writes more for a face than its header says. */
+  void
+  skipLines (std::uint64_t count)
+  {
+    while (count > 0 && data_.left () > 0) {
+      std::string_view line = nextLine (data_);
+      count -= nextWord (line).empty () ? 0 : 1;
+    }
+    if (count > 0)
+      throw FormatError ("is truncated, its data end too early");
+  }
+
   /** Numbers of that type that may still follow. */
   std::uint64_t
   room (std::uint8_t datatype) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "point_stream.h"
 
+#include "coordinate_fields.h"
 #include "pcd_format.h"
 #include "ply_format.h"
 #include "tool_error.h"
@@ -58,18 +59,27 @@ PointFile::PointFile (const std::string& path) : path_ (path), bytes_ (std::file
   if (!reader_)
     throw FileError (path, "is a compressed PCD file, which holds one field after the other",
                      "convert it, for example by pcl_convert_pcd_ascii_binary in.pcd out.pcd 1");
+  coordinates_ = std::make_unique<CoordinateFields> (reader_->shape ());
+  shape_ = coordinates_->shapeFrom (reader_->shape ());
 }
+
+PointFile::~PointFile () = default;
 
 std::size_t
 PointFile::read (std::size_t most, std::vector<std::uint8_t>& data)
 {
-  return withPath (path_, [&] { return reader_->read (most, data); });
+  return withPath (path_, [&] {
+    const std::size_t count = reader_->read (most, data);
+    coordinates_->convert (data);
+    return count;
+  });
 }
 
 std::string
 PointFile::finish ()
 {
   withPath (path_, [&] { reader_->finish (); });
+  shape_ = coordinates_->shapeFrom (reader_->shape ());
   while (bytes_.left () > 0)
     bytes_.skip (bytes_.peek ().size ());
   return bytes_.checksum ();

@@ -74,7 +74,10 @@ protected:
   std::uint64_t done_ = 0;
 };
 
-/** Reads the points of a PCD or PLY file, told apart by the extension. Its functions throw FileError. */
+class CoordinateFields;
+
+/** Reads the points of a PCD or PLY file, told apart by the extension, their coordinates as CoordinateFields says. Its functions
+  * throw FileError. */
 class PointFile
 {
 public:
@@ -82,10 +85,13 @@ public:
     * other */
   explicit PointFile (const std::string& path);
 
+  ~PointFile ();
+
+  /** As of PointReader. */
   const CloudShape&
   shape () const
   {
-    return reader_->shape ();
+    return shape_;
   }
 
   std::size_t
@@ -99,6 +105,8 @@ private:
   std::string path_;
   ByteStream bytes_;
   std::unique_ptr<PointReader> reader_;
+  std::unique_ptr<CoordinateFields> coordinates_;
+  CloudShape shape_;
 };
 
 /** Writes a PCD or PLY file, told apart by the extension, point by point: the bytes that saveCloud would write. */
