@@ -152,12 +152,14 @@ TEST (SmoothingDepthTest, Chain)
 
 TEST (SmoothingDepthTest, Rounds)
 {
-  // A fit, an update, and three or four averages a round; a filter from the second on, or with fast where there is much noise;
-  // the first fit takes in the normals that the node begins with. At the end points are kept apart, one hop. In far rounds what
-  // looks at neighbours looks at theirs.
-  expectDepth (rounds (1, false, .2f), 12, 1 + 1 + 4 + 1, 5);
-  expectDepth (rounds (1, false, .4f), 12, 1 + 1 + 4 + 1, 5);
-  expectDepth (rounds (2, false, .2f), 12, (1 + 1 + 4) + (1 + 1 + 1 + 4) + 1, 5);
+  // A fit, an update, and three or four averages a round; a filter from the second on, or with fast where there is much
+  // noise; the first fit takes in the normals that the node begins with, and, but with fast, how far apart its
+  // neighbours' neighbours are. At the end points are kept apart, one hop. In far rounds what looks at neighbours looks
+  // at theirs.
+  expectDepth (rounds (1, false, .2f), 12, 2 + 1 + 4 + 1, 6);
+  expectDepth (rounds (1, false, .4f), 12, 2 + 1 + 4 + 1, 6);
+  expectDepth (rounds (2, false, .2f), 12, (2 + 1 + 4) + (1 + 1 + 1 + 4) + 1, 6);
+  expectDepth (rounds (1, false, .6f), 20, 2 + 1 + 4 + 1, 6);
   expectDepth (rounds (1, true, .2f), 12, 1 + 1 + 3 + 1, 4);
   expectDepth (rounds (2, true, .2f), 12, 2 * (1 + 1 + 3) + 1, 4);
   expectDepth (rounds (2, true, .4f), 12, 2 * (1 + 1 + 1 + 3) + 1, 4);
@@ -174,7 +176,7 @@ TEST (SmoothingDepthTest, Rounds)
 TEST (SmoothingDepthTest, OfThePresets)
 {
   SmoothingOptions standard = rounds (6, false, .2f), fast = rounds (3, true, .2f);
-  EXPECT_EQ (smoothingDepth (standard), 45);
+  EXPECT_EQ (smoothingDepth (standard), 46);
   EXPECT_EQ (smoothingDepth (fast), 18);
   EXPECT_EQ (smoothingDepth (chain (NormalSource::PCA, 5, 7)), 13);
 }
@@ -213,7 +215,8 @@ TEST (SmoothingDepthTest, OfTheSeparationOfSheets)
     const auto beyond =
         separateSheets (sheet.graphFrom (hops, depth + 1), sheet.movedFrom (hops, depth + 2), options, execution);
     EXPECT_EQ (rowInCloud (*beyond, node), rows[point]);
-    // That the last hop of all matters takes a start normal that decides a vote that decides whether nodes vote again: too rare.
+    // That the last hop of all matters takes a start normal that decides a vote that decides whether nodes vote again:
+    // too rare.
     const auto within =
         separateSheets (sheet.graphFrom (hops, depth - 1), sheet.movedFrom (hops, depth), options, execution);
     within_it += rowInCloud (*within, node) != rows[point];

@@ -98,6 +98,7 @@ struct PointUpdateStep
   const float* start; // offsets before the first iteration; null where all are zero
   UpdateKind kind;
   float reach_scale;             // of 1 / (2 sigma_c^2)
+  const float* reach_factors;    // of that, of all nodes; null: 1
   float normal_factor;           // 1 / (2 sigma_s^2)
   float residual_factor;         // of UpdateKind::ROBUST: 1 / (2 sigma^2) of the height
   const float* variance_factors; // of the noise, of all nodes; null: 1
@@ -137,7 +138,7 @@ struct QuadricFitStep
 struct StepGain
 {
   float usual;
-  const float* variance_factors; // of the noise, of all nodes; null: 1
+  const float* factors; // of all nodes; null: 1
 };
 
 /** Tells what the proposed steps risk. */

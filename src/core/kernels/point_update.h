@@ -73,7 +73,7 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
   const auto read = [&] (std::size_t j)
                         LANES_LAMBDA { return neighborPlane<kind> (step, points, own_normal, own + block_size * j); };
   const NeighborValues<NeighborPlane, decltype (read)> neighbors (read, rows.length);
-  const Lanes reach_factor = reachFactor (neighbors, rows) * step.reach_scale;
+  const Lanes reach_factor = reachFactor (neighbors, rows) * step.reach_scale * load1OrOne (step.reach_factors, own);
   const Lanes residual_factor = step.residual_factor / load1OrOne (step.variance_factors, own);
   Lanes3 sum = {};
   Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself: it adds nothing above

@@ -14,7 +14,7 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 LANES_INLINE Lanes
 gainOf (const StepGain& gain, const std::uint32_t* own)
 {
-  return gain.usual * load1OrOne (gain.variance_factors, own);
+  return gain.usual * load1OrOne (gain.factors, own);
 }
 
 /** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and |d.n|.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../ramp.h"
 #include "noise_reach.h"
 #include "residual_quantiles.h"
 #include "wide_noise_of_part.h"
@@ -52,11 +51,6 @@ constexpr double max_growth_of_clumps = 2, max_growth_resolved = 1.05;
 constexpr double min_gain_of_sigma = 1.5, max_gain_resolved = 1.15;
 // And it differs from place to place as it does of one noise: see ThinnedNoise::spread.
 constexpr double min_spread = .96 * quartile_ratio_of_16, max_spread = 1.13 * quartile_ratio_of_16;
-// Where wider neighbourhoods lose detail: the ratio up to which WideNoise::excess is least_excess, for sigma is
-// estimated nearly in full and taking it to be larger loses detail; and that from which it is most_excess, for most of
-// the noise is hidden.
-constexpr double least_excess_ratio = .45, most_excess_ratio = .5;
-constexpr float least_excess = 1.2f;
 
 bool
 hidesNoise (ThinnedNoise& noise)
@@ -139,15 +133,6 @@ mayBeSheets (ThinnedNoise& cloud, int to_resolve, const SheetDetection& sheets)
   return sheets.estimate.gap > 0 || (sheets.may_exist && !are_clumps);
 }
 
-/** See WideNoise::excess. */
-float
-excessOf (int halvings_without_loss, double ratio)
-{
-  const float hidden = static_cast<float> (ramp (ratio, least_excess_ratio, most_excess_ratio - least_excess_ratio));
-  return halvings_without_loss > 0 ? WideNoise::most_excess
-                                   : least_excess + (WideNoise::most_excess - least_excess) * hidden;
-}
-
 /** The same noise all over the cloud, or nearly so. */
 WideNoise
 wideNoiseOfCloud (ThinnedNoise& cloud, int to_resolve)
@@ -160,7 +145,7 @@ wideNoiseOfCloud (ThinnedNoise& cloud, int to_resolve)
   WideNoise wide;
   wide.sigma = sigma;
   wide.field = noise.field;
-  wide.excess = excessOf (without_loss, usual_ratio);
+  wide.excess = without_loss > 0 ? WideNoise::most_excess : WideNoise::least_excess;
   wide.halvings = regionalMedians (halvingsToReach (without_loss, ratios, cloud.rowLength ()), noise.spacing);
   if (without_loss == 0 && usual_ratio >= least_ratio_to_project)
     wide.ratios = regionalMedians (ratios, noise.spacing);

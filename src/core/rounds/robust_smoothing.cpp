@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "fine_rows.h"
 #include "ray_motion.h"
 #include "step_taking.h"
 
@@ -52,12 +53,13 @@ public:
   , progress_ (execution)
   , positions_ (positions)
   , normals_ (normals)
-  , schedule_ (chooseSchedule (options))
+  , schedule_ (scheduleOf (options))
   , all_normals_ (haveAllNormals (normals))
   , start_ (start)
   , other_ (graph.size ())
   , variance_factors_ (core::varianceFactors (options.noise.field, positions, execution))
-  , step_taking_ ({graph, this->start (), varianceFactors ()}, options)
+  , fine_rows_ (fineRows ())
+  , step_taking_ ({graph, this->start (), varianceFactors (), fine_rows_}, options)
   {}
 
   void
@@ -65,14 +67,13 @@ public:
   {
     for (int round = 0; round < options_.rounds; ++round) {
       progress_ = execution_.part (round, round, options_.rounds);
-      const bool fine = round < schedule_.fine_rounds;
-      k_ = fine ? fine_k : max_k;
+      is_fine_ = round < schedule_.fine_rounds;
       if (round >= schedule_.first_far_round)
         beginFar ();
       fitNormals (round);
       if (const float sigma_s = filteringSigma (options_, round); sigma_s > 0)
         filterFitted (sigma_s);
-      proposeSteps (fine);
+      proposeSteps ();
       far_.reset ();
       step_taking_.take (round, nodeArrays (positions_, normals_), progress_, other_);
       positions_.offset.swap (other_);
@@ -85,6 +86,14 @@ public:
   }
 
 private:
+  FineRows
+  fineRows () const
+  {
+    if (schedule_.fine_rounds == 0)
+      return FineRows (graph_);
+    return FineRows (graph_, positions_, options_.noise.sigma, variance_factors_, execution_.silent ());
+  }
+
   void
   beginFar ()
   {
@@ -98,8 +107,11 @@ private:
   forRowsOfRound (const Body& body)
   {
     forEachBlock (graph_, progress_, [&] (const BlockRows& rows) {
-      FarRows::Buffer buffer;
-      body (far_ ? far_->ofBlock (rows, buffer) : BlockRows {rows.neighbors, std::min (rows.length, k_)});
+      FarRows::Buffer far;
+      FineRows::Buffer fine;
+      body (far_       ? far_->ofBlock (rows, far)
+            : is_fine_ ? fine_rows_.ofBlock (rows, fine)
+                       : BlockRows {rows.neighbors, std::min (rows.length, max_k)});
     });
   }
 
@@ -143,14 +155,16 @@ private:
   }
 
   void
-  proposeSteps (bool fine)
+  proposeSteps ()
   {
-    const float bandwidth = fine ? schedule_.fine_bandwidth : 1;
+    const float sq_bandwidth = is_fine_ ? schedule_.fine_bandwidth * schedule_.fine_bandwidth : 1;
+    const Numbers reach_factors = is_fine_ ? fine_rows_.scaledWhereWide (nullptr, sq_bandwidth) : Numbers ();
     PointUpdateStep step {};
     step.nodes = nodeArrays (positions_, normals_);
     step.start = step.nodes.offset;
     step.kind = UpdateKind::ROBUST;
-    step.reach_scale = 1 / (bandwidth * bandwidth);
+    step.reach_scale = 1 / sq_bandwidth;
+    step.reach_factors = reach_factors.empty () ? nullptr : reach_factors.data ();
     step.normal_factor = 1 / (2 * schedule_.sigma_s * schedule_.sigma_s);
     step.residual_factor = residualFactor ();
     step.variance_factors = varianceFactors ();
@@ -204,12 +218,13 @@ private:
   Positions& positions_;
   Vectors& normals_;
   RoundSchedule schedule_;
-  bool all_normals_; // no node is without one, now and later
-  std::size_t k_ = 0;
+  bool all_normals_;           // no node is without one, now and later
+  bool is_fine_ = false;       // the round
   std::optional<FarRows> far_; // in far rounds, until the step is proposed
   const Vectors& start_;       // as startOf has it
   Vectors other_;              // what the next stage writes: normals, or offsets
   Numbers variance_factors_;   // empty: 1 everywhere
+  FineRows fine_rows_;
   StepTaking step_taking_;
 };
 } // namespace

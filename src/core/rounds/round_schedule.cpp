@@ -9,11 +9,11 @@ namespace core
 {
 namespace
 {
-// The preset fast, whatever the noise.
 constexpr RoundSchedule fast_schedule = {
     0,                                             // fine_rounds
     2,                                             // first_far_round
     {.690f, .060f, .041f, .0056f, .0038f, .0029f}, // gains
+    {},                                            // wide_gains
     1.8f,                                          // tolerance
     {2, 1, 1, 1, 1, 1},                            // solves
     3,                                             // averages
@@ -21,25 +21,11 @@ constexpr RoundSchedule fast_schedule = {
     .06f,                                          // sigma_s
 };
 
-// Noise against spacing from which on only large neighbourhoods serve.
-constexpr float coarse_ratio = .62f;
-
-constexpr RoundSchedule coarse_schedule = {
-    0,                                             // fine_rounds
-    5,                                             // first_far_round
-    {.660f, .084f, .0202f, .0086f, .0052f, .007f}, // gains
-    1.3f,                                          // tolerance
-    {3, 2, 2, 2, 1, 1},                            // solves
-    4,                                             // averages
-    1,                                             // fine_bandwidth
-    .05f,                                          // sigma_s
-};
-
-// Below coarse_ratio.
-constexpr RoundSchedule fine_schedule = {
+constexpr RoundSchedule default_schedule = {
     2,                                               // fine_rounds
     5,                                               // first_far_round
     {.661f, .0745f, .0517f, .0139f, .0080f, .0135f}, // gains
+    {.660f, .084f, .0202f, .0086f, .0052f, .007f},   // wide_gains
     1.3f,                                            // tolerance
     {3, 2, 2, 2, 1, 1},                              // solves
     4,                                               // averages
@@ -63,11 +49,9 @@ noiseRatio (const RobustSmoothingOptions& options)
 }
 
 RoundSchedule
-chooseSchedule (const RobustSmoothingOptions& options)
+scheduleOf (const RobustSmoothingOptions& options)
 {
-  if (options.fast)
-    return fast_schedule;
-  return noiseRatio (options) >= coarse_ratio ? coarse_schedule : fine_schedule;
+  return options.fast ? fast_schedule : default_schedule;
 }
 
 float
@@ -91,9 +75,11 @@ roundsDepth (const RobustSmoothingOptions& options, int of_normals)
 {
   if (options.rounds == 0)
     return of_normals;
-  // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals too.
-  const int first_fit = std::max (of_normals, 1 + (options.oriented ? of_normals : 0));
-  const RoundSchedule schedule = chooseSchedule (options);
+  const RoundSchedule schedule = scheduleOf (options);
+  // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals too. Its row
+  // may be of FineRows, which read the neighbours' rows.
+  const int of_neighbors = options.oriented ? of_normals : 0, of_row = schedule.fine_rounds > 0 ? 2 : 1;
+  const int first_fit = std::max ({of_normals, of_row, 1 + of_neighbors});
   constexpr int fit = 1, update = 1;
   int all = first_fit - fit;
   for (int round = 0; round < options.rounds; ++round) {

@@ -19,10 +19,11 @@ constexpr std::size_t max_k = 32;
   * the step, on a plane of pure noise, in variances of the noise. */
 struct RoundSchedule
 {
-  int fine_rounds;     // with the smaller neighbourhood
+  int fine_rounds;     // with the smaller neighbourhood: FineRows
   int first_far_round; // from there on with one twice as wide: FarRows
   float gains[max_rounds];
-  float tolerance; // of the risk: a factor of the gains
+  float wide_gains[max_rounds]; // of nodes that look at max_k in the fine rounds too
+  float tolerance;              // of the risk: a factor of the gains
   int solves[max_rounds];
   int averages;
   float fine_bandwidth; // of the update, in distances of the farthest neighbour; 1 in other rounds
@@ -30,7 +31,7 @@ struct RoundSchedule
 };
 
 RoundSchedule
-chooseSchedule (const RobustSmoothingOptions& options);
+scheduleOf (const RobustSmoothingOptions& options);
 
 /** sigma over the spacing; 0 where none is known. */
 float

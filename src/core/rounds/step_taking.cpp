@@ -8,7 +8,7 @@ namespace core
 StepTaking::StepTaking (const Cloud& cloud, const RobustSmoothingOptions& options)
 : cloud_ (cloud)
 , options_ (options)
-, schedule_ (chooseSchedule (options))
+, schedule_ (scheduleOf (options))
 , moved_ (cloud.graph.size (), 0.0f)
 , weights_ (pairsBegin (cloud.graph, cloud.graph.blockCount ()))
 {}
@@ -38,10 +38,12 @@ StepTaking::take (int round, const NodeArrays& nodes, const Execution& execution
 }
 
 StepGain
-StepTaking::gainOf (int round) const
+StepTaking::gainOf (int round)
 {
-  const float variance = options_.noise.sigma * options_.noise.sigma;
-  return {schedule_.tolerance * variance * schedule_.gains[round], cloud_.variance_factors};
+  const float variance = options_.noise.sigma * options_.noise.sigma, gain = schedule_.gains[round];
+  gain_factors_ = cloud_.fine_rows.scaledWhereWide (cloud_.variance_factors, schedule_.wide_gains[round] / gain);
+  return {schedule_.tolerance * variance * gain,
+          cloud_.fine_rows.areAllFine () ? cloud_.variance_factors : gain_factors_.data ()};
 }
 
 void

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fine_rows.h"
 #include "round_schedule.h"
 
 #include <pcl_normal_smoothing/core/search/node_blocks.h>
@@ -29,6 +30,7 @@ public:
     const NeighborGraph& graph;
     const float* start;            // offsets before the first round; null where all are zero
     const float* variance_factors; // of the noise, of all nodes; null: 1
+    const FineRows& fine_rows;
   };
 
   /** \param[in] options kept, as what \a cloud refers to, while this is used */
@@ -44,8 +46,9 @@ public:
   take (int round, const NodeArrays& nodes, const Execution& execution, Vectors& steps);
 
 private:
+  /** Valid until the next. */
   StepGain
-  gainOf (int round) const;
+  gainOf (int round);
 
   void
   averageRisks (const Execution& execution);
@@ -53,6 +56,7 @@ private:
   Cloud cloud_;
   const RobustSmoothingOptions& options_;
   RoundSchedule schedule_;
+  Numbers gain_factors_;
   Numbers moved_; // along the normals since the first round, from where the risk is measured
   Numbers risks_; // two a node
   Numbers averaged_;

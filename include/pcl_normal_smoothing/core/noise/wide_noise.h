@@ -19,10 +19,10 @@ struct WideNoise
   float sigma = 0;
   /** How it varies. */
   NoiseField field;
-  /** Where neighbourhoods grow, smoothing takes sigma to be so many times as large: none of the noise should be taken for the surface's, and
-    * what is smoothed a little more is smooth there. 1.2 to most_excess. */
+  /** Where neighbourhoods grow, smoothing takes sigma to be so many times as large: none of the noise should be taken for the surface's.
+    * The most where what is smoothed a little more loses no detail. */
   float excess = most_excess;
-  static constexpr float most_excess = 1.5f;
+  static constexpr float least_excess = 1.2f, most_excess = 1.5f;
   /** How often the number of points must be halved until neighbourhoods show the surface, by regions of about 4,096 points of a sample. */
   RegionalField halvings;
   /** The ratio of sigma to the spacing, likewise, where such neighbourhoods would lose detail: points had better be projected first
