@@ -55,7 +55,7 @@ FineRows::FineRows (const NeighborGraph& graph,
     }
   });
   if (std::find (is_wide_.begin (), is_wide_.end (), 1) == is_wide_.end ())
-    is_wide_.clear ();
+    std::vector<std::uint8_t> ().swap (is_wide_);
 }
 
 BlockRows
