@@ -4,7 +4,7 @@
 #include "clouds.h"
 #include "timing.h"
 
-#include <smoothing_job.h>
+#include <smoothing/smoothing_job.h>
 #include <viewer/display.h>
 #include <viewer/viewer.h>
 

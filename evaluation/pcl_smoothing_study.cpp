@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "command_line/tool.h"
+#include "files/tool_error.h"
 #include "study/study_options.h"
-#include "tool.h"
-#include "tool_error.h"
 
 #include <cstdio>
 

@@ -2,9 +2,9 @@
 //
 // The loading path of the tools under libFuzzer: any bytes are a cloud or a mesh, or a FileError or core::Error, and never
 // anything else.
-#include "cloud_graph.h"
-#include "mesh_io.h"
-#include "tool_error.h"
+#include "clouds/cloud_graph.h"
+#include "files/tool_error.h"
+#include "meshes/mesh_io.h"
 
 #include <pcl_normal_smoothing/core/error.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_graph.h"
-#include "common_options.h"
-#include "field_values.h"
-#include "mesh_measures.h"
-#include "surface_noise.h"
-#include "tool.h"
+#include "clouds/cloud_graph.h"
+#include "command_line/common_options.h"
+#include "command_line/tool.h"
+#include "files/field_values.h"
+#include "meshes/mesh_measures.h"
+#include "meshes/surface_noise.h"
 
 using namespace pcl_normal_smoothing;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_io.h"
-#include "double_torus.h"
-#include "output_file.h"
-#include "tool.h"
-#include "tool_error.h"
+#include "command_line/tool.h"
+#include "files/cloud_io.h"
+#include "files/output_file.h"
+#include "files/tool_error.h"
+#include "meshes/double_torus.h"
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_graph.h"
-#include "method_options.h"
-#include "tool.h"
+#include "clouds/cloud_graph.h"
+#include "command_line/method_options.h"
+#include "command_line/tool.h"
 
 #include <pcl_normal_smoothing/normal_guided_point_update.h>
 

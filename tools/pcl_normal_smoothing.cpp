@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "batch.h"
-#include "smoothing_report.h"
-#include "tool.h"
-#include "tool_error.h"
+#include "command_line/tool.h"
+#include "files/tool_error.h"
+#include "smoothing/batch.h"
+#include "smoothing/smoothing_report.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "command_line/tool.h"
 #include "tiles/tiles_command.h"
-#include "tool.h"
 
 using namespace pcl_normal_smoothing;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output_file.h"
-#include "tool.h"
-#include "tool_error.h"
+#include "command_line/tool.h"
+#include "files/output_file.h"
+#include "files/tool_error.h"
 #include "viewer/display.h"
 #include "viewer/viewer.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_points.h"
-#include "mesh_measures.h"
-#include "report.h"
-#include "smoothing_error.h"
-#include "tool.h"
+#include "clouds/cloud_points.h"
+#include "command_line/report.h"
+#include "command_line/tool.h"
+#include "meshes/mesh_measures.h"
+#include "meshes/smoothing_error.h"
 
 using namespace pcl_normal_smoothing;
 

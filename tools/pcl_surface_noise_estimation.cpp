@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_graph.h"
-#include "common_options.h"
-#include "tool.h"
+#include "clouds/cloud_graph.h"
+#include "command_line/common_options.h"
+#include "command_line/tool.h"
 
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 

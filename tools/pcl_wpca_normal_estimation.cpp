@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common_options.h"
-#include "normal_fields.h"
-#include "tool.h"
+#include "clouds/normal_fields.h"
+#include "command_line/common_options.h"
+#include "command_line/tool.h"
 
 #include <pcl_normal_smoothing/core/chain/surface_estimation.h>
 

@@ -2,8 +2,8 @@
 #include "measures/measures.h"
 
 #include "measures/sharp_edges.h"
-#include "mesh_measures.h"
-#include "smoothing_error.h"
+#include "meshes/mesh_measures.h"
+#include "meshes/smoothing_error.h"
 
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/core/parallel_for.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_points.h"
+#include "clouds/cloud_points.h"
 
 #include <array>
 

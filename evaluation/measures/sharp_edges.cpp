@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measures/sharp_edges.h"
 
-#include "mesh_edges.h"
+#include "meshes/mesh_edges.h"
 
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>

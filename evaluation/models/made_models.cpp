@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/made_models.h"
 
-#include "double_torus.h"
+#include "meshes/double_torus.h"
 #include "models/extrusion.h"
 #include "models/sheets.h"
 #include "models/sphere_meshes.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/sphere_meshes.h"
 
-#include "mesh_edges.h"
-#include "mesh_measures.h"
+#include "meshes/mesh_edges.h"
+#include "meshes/mesh_measures.h"
 #include "models/jitter.h"
 #include "models/subdivision.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mesh_io.h"
+#include "meshes/mesh_io.h"
 
 namespace pcl_normal_smoothing::evaluation
 {

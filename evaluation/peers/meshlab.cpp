@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "meshlab.h"
 
-#include "cloud_graph.h"
-#include "field_values.h"
+#include "clouds/cloud_graph.h"
+#include "files/field_values.h"
 #include "point_file.h"
 
 #include <filesystem>

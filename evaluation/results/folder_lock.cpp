@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/folder_lock.h"
-#include "tool_error.h"
+#include "files/tool_error.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/results.h"
 
-#include "cloud_io.h"
-#include "output_file.h"
-#include "tool.h"
-#include "tool_error.h"
+#include "command_line/tool.h"
+#include "files/cloud_io.h"
+#include "files/output_file.h"
+#include "files/tool_error.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/study_file.h"
 
-#include "cloud_io.h"
-#include "mesh_measures.h"
-#include "output_file.h"
-#include "tool_error.h"
+#include "files/cloud_io.h"
+#include "files/output_file.h"
+#include "files/tool_error.h"
+#include "meshes/mesh_measures.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/cases.h"
 
+#include "command_line/tool.h"
+#include "files/tool_error.h"
 #include "study/clouds.h"
-#include "tool.h"
-#include "tool_error.h"
 
 #include <charconv>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/progress.h"
 
-#include "tool.h"
+#include "command_line/tool.h"
 
 #include <unistd.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/study.h"
 
+#include "command_line/tool.h"
+#include "files/tool_error.h"
 #include "models/made_models.h"
 #include "models/mesh_model.h"
 #include "results/study_file.h"
 #include "study/families.h"
-#include "tool.h"
-#include "tool_error.h"
 
 #include <pcl_normal_smoothing/core/error.h>
 

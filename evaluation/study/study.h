@@ -2,7 +2,7 @@
 #pragma once
 
 #include "measures/measures.h"
-#include "surface_noise.h"
+#include "meshes/surface_noise.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/study_options.h"
 
+#include "files/tool_error.h"
 #include "models/made_models.h"
-#include "tool_error.h"
 
 namespace pcl_normal_smoothing::evaluation
 {

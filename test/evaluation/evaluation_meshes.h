@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mesh_io.h"
+#include "meshes/mesh_io.h"
 
 /** A square of side 1 in z = 0, its vertices a grid, its normals up. */
 pcl_normal_smoothing::tools::Mesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_meshes.h"
-#include "mesh_edges.h"
-#include "mesh_measures.h"
+#include "meshes/mesh_edges.h"
+#include "meshes/mesh_measures.h"
 #include "models/extrusion.h"
 #include "models/implicit_surface.h"
 #include "models/made_models.h"

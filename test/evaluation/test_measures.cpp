@@ -2,11 +2,11 @@
 #include "evaluation_meshes.h"
 #include "measures/measures.h"
 #include "measures/sharp_edges.h"
-#include "mesh_measures.h"
+#include "meshes/mesh_measures.h"
+#include "meshes/smoothing_error.h"
+#include "meshes/surface_noise.h"
 #include "models/extrusion.h"
 #include "models/made_models.h"
-#include "smoothing_error.h"
-#include "surface_noise.h"
 
 #include <pcl_normal_smoothing/core/error.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_meshes.h"
-#include "mesh_edges.h"
-#include "mesh_measures.h"
+#include "files/tool_error.h"
+#include "meshes/mesh_edges.h"
+#include "meshes/mesh_measures.h"
 #include "models/mesh_model.h"
 #include "models/subdivision.h"
-#include "tool_error.h"
 #include "tool_runner.h"
 
 #include <pcl_normal_smoothing/core/error.h>

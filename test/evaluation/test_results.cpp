@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_meshes.h"
-#include "mesh_measures.h"
+#include "files/tool_error.h"
+#include "meshes/mesh_measures.h"
 #include "results/results.h"
 #include "results/study_file.h"
-#include "tool_error.h"
 #include "tool_runner.h"
 
 #include <nlohmann/json.hpp>

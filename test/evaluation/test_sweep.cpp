@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_measures.h"
+#include "meshes/mesh_measures.h"
+#include "meshes/surface_noise.h"
 #include "models/made_models.h"
-#include "surface_noise.h"
 #include "sweep/sweep.h"
 
 #include <pcl_normal_smoothing/normal_smoothing.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_graph.h"
+#include "clouds/cloud_graph.h"
 #include "tool_runner.h"
 
 #include <nlohmann/json.hpp>

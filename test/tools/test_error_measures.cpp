@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_measures.h"
-#include "smoothing_error.h"
+#include "meshes/mesh_measures.h"
+#include "meshes/smoothing_error.h"
 
 #include <Eigen/Eigenvalues>
 

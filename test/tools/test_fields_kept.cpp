@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "field_values.h"
+#include "files/field_values.h"
 #include "tool_runner.h"
 
 #include <pcl/io/pcd_io.h>

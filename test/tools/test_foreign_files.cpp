@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "field_values.h"
-#include "point_stream.h"
+#include "files/field_values.h"
+#include "files/point_stream.h"
 #include "tool_runner.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output_file.h"
-#include "tool.h"
+#include "command_line/tool.h"
+#include "files/output_file.h"
 #include "tool_runner.h"
 
 #include <unistd.h>

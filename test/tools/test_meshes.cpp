@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_edges.h"
-#include "mesh_io.h"
-#include "mesh_measures.h"
-#include "tool_error.h"
+#include "files/tool_error.h"
+#include "meshes/mesh_edges.h"
+#include "meshes/mesh_io.h"
+#include "meshes/mesh_measures.h"
 #include "tool_runner.h"
 
 #include <Eigen/Geometry>

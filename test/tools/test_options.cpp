@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "field_values.h"
-#include "options.h"
-#include "tool_error.h"
+#include "command_line/options.h"
+#include "files/field_values.h"
+#include "files/tool_error.h"
 #include "tool_runner.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "field_values.h"
-#include "region.h"
+#include "files/field_values.h"
+#include "tiles/region.h"
 #include "tiles_fixture.h"
 
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "partition.h"
-#include "plan_options.h"
-#include "point_stream.h"
-#include "spill_file.h"
+#include "files/point_stream.h"
+#include "files/tool_error.h"
+#include "tiles/partition.h"
+#include "tiles/plan_options.h"
+#include "tiles/spill_file.h"
 #include "tiles_fixture.h"
-#include "tool_error.h"
 
 #include <cmath>
 #include <filesystem>

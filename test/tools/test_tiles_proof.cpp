@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "region.h"
+#include "tiles/region.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smoothing_job.h"
+#include "smoothing/smoothing_job.h"
 #include "viewer/parameters.h"
 
 #include <gtest/gtest.h>

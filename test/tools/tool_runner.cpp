@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_runner.h"
 
-#include "field_values.h"
+#include "files/field_values.h"
 
 #include <pcl_normal_smoothing/vector_layout.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan.h"
 
-#include "checksum.h"
-#include "options.h"
+#include "command_line/options.h"
+#include "files/checksum.h"
+#include "files/tool_error.h"
 #include "plan_options.h"
-#include "tool_error.h"
 
 #include <cstdio>
 

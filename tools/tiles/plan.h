@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "point_stream.h"
+#include "files/point_stream.h"
 
 #include <pcl_normal_smoothing/core/smoothing.h>
 #include <pcl_normal_smoothing/vector_layout.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record_file.h"
 
-#include "checksum.h"
-#include "tool_error.h"
+#include "files/checksum.h"
+#include "files/tool_error.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smoothed_sources.h"
 
-#include "cloud_graph.h"
+#include "clouds/cloud_graph.h"
+#include "files/tool_error.h"
 #include "sources.h"
 #include "tile_result.h"
-#include "tool_error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sources.h"
 
-#include "tool_error.h"
+#include "files/tool_error.h"
 
 #include <pcl/common/io.h>
 

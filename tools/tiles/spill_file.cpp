@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "spill_file.h"
 
-#include "signal_pause.h"
-#include "tool_error.h"
+#include "files/signal_pause.h"
+#include "files/tool_error.h"
 
 #include <fcntl.h>
 #include <unistd.h>

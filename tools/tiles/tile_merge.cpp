@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tile_merge.h"
 
+#include "command_line/tool.h"
+#include "files/tool_error.h"
 #include "smoothed_sources.h"
 #include "spill_file.h"
 #include "tile_result.h"
-#include "tool.h"
-#include "tool_error.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tile_noise.h"
 
+#include "command_line/tool.h"
 #include "region.h"
-#include "tool.h"
 
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 #include <pcl_normal_smoothing/core/smoothing_preparation.h>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tile_plan.h"
 
-#include "cloud_graph.h"
+#include "clouds/cloud_graph.h"
+#include "command_line/tool.h"
+#include "files/signal_pause.h"
+#include "files/tool_error.h"
 #include "partition.h"
-#include "signal_pause.h"
 #include "sources.h"
 #include "spill_file.h"
 #include "tile_noise.h"
-#include "tool.h"
-#include "tool_error.h"
 
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/core/noise/noise_sample.h>

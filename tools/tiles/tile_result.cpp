@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tile_result.h"
 
-#include "checksum.h"
-#include "tool_error.h"
+#include "files/checksum.h"
+#include "files/tool_error.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tile_writer.h"
 
-#include "checksum.h"
+#include "files/checksum.h"
 
 #include <pcl_normal_smoothing/core/search/hash_sample.h>
 #include <pcl_normal_smoothing/core/search/select_nth.h>

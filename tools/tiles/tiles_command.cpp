@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles_command.h"
 
-#include "option_notes.h"
+#include "command_line/option_notes.h"
+#include "command_line/tool.h"
+#include "files/tool_error.h"
 #include "tile_result.h"
 #include "tile_run.h"
-#include "tool.h"
-#include "tool_error.h"
 
 #include <unistd.h>
 

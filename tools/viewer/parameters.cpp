@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/parameters.h"
 
-#include "field_values.h"
+#include "files/field_values.h"
 
 #include <algorithm>
 #include <array>

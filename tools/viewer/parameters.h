@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "options.h"
+#include "command_line/options.h"
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/session.h"
 
-#include "tool.h"
+#include "command_line/tool.h"
 
 #include <pcl_normal_smoothing/core/chain/surface_estimation.h>
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_graph.h"
-#include "mesh_distance.h"
-#include "smoothing_job.h"
+#include "clouds/cloud_graph.h"
+#include "meshes/mesh_distance.h"
+#include "smoothing/smoothing_job.h"
 
 #include <list>
 #include <map>

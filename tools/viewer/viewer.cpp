@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/viewer.h"
 
-#include "output_file.h"
+#include "files/output_file.h"
 #include "viewer/colour_scale.h"
 
 #include <cstdio>

@@ -42,7 +42,8 @@ appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count
   const __m512i numbers = _mm512_add_epi32 (_mm512_set1_epi32 (static_cast<int> (first)),
                                             _mm512_setr_epi32 (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
   const auto in_range = static_cast<__mmask16> ((1u << count) - 1);
-  const __mmask16 are_near = _mm512_mask_cmp_ps_mask (in_range, (__m512) sq_dists, _mm512_set1_ps (sq_bound), _CMP_LE_OQ);
+  const __mmask16 are_near =
+      _mm512_mask_cmp_ps_mask (in_range, (__m512) sq_dists, _mm512_set1_ps (sq_bound), _CMP_LE_OQ);
   _mm512_storeu_si512 (near.numbers + near.size, _mm512_maskz_compress_epi32 (are_near, numbers));
   _mm512_storeu_ps (near.sq_dists + near.size, _mm512_maskz_compress_ps (are_near, (__m512) sq_dists));
   near.size += static_cast<std::size_t> (__builtin_popcount (are_near));

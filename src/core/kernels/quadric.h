@@ -38,7 +38,7 @@ public:
   {
     const Lanes wu = weight * u, wv = weight * v, wuu = wu * u, wuv = wu * v, wvv = wv * v, wh = weight * height;
     const Lanes wuuu = wuu * u, wuuv = wuu * v, wuvv = wvv * u, wvvv = wvv * v;
-    const Lanes terms[] = {weight, wu,   wv,   wuu,      wuv,      wvv,      wuuu,    wuuv,
+    const Lanes terms[] = {weight, wu,   wv,       wuu,      wuv,      wvv,      wuuu,    wuuv,
                            wuvv,   wvvv, wuuu * u, wuuu * v, wuuv * v, wvvv * u, wvvv * v};
     for (int i = 0; i < 15; ++i)
       moments_[i] += terms[i];
@@ -53,7 +53,7 @@ public:
   solve (Lanes ridge)
   {
     // Where the normal equations keep the moments u^a v^b.
-    constexpr int moment[6][6] = {{0, 1, 2, 3, 4, 5},    {1, 3, 4, 6, 7, 8},     {2, 4, 5, 7, 8, 9},
+    constexpr int moment[6][6] = {{0, 1, 2, 3, 4, 5},    {1, 3, 4, 6, 7, 8},    {2, 4, 5, 7, 8, 9},
                                   {3, 6, 7, 10, 11, 12}, {4, 7, 8, 11, 12, 13}, {5, 8, 9, 12, 13, 14}};
     Lanes lower[6][6], inverse_diagonal[6], solution[6];
     for (int i = 0; i < 6; ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "method_options.h"
 
-#include "field_values.h"
-#include "tool_error.h"
+#include "files/field_values.h"
+#include "files/tool_error.h"
 
 #include <pcl_normal_smoothing/core/error.h>
 

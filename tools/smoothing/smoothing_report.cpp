@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smoothing_report.h"
 
-#include "cloud_graph.h"
-#include "output_file.h"
-#include "tool_error.h"
+#include "clouds/cloud_graph.h"
+#include "files/output_file.h"
+#include "files/tool_error.h"
 
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 #include <pcl_normal_smoothing/run_settings.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common_options.h"
 
-#include "tool_error.h"
+#include "files/tool_error.h"
 
 #include <pcl_normal_smoothing/run_settings.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool.h"
 
-#include "output_file.h"
-#include "signal_pause.h"
-#include "tool_error.h"
+#include "files/output_file.h"
+#include "files/signal_pause.h"
+#include "files/tool_error.h"
 
 #include <pcl/console/print.h>
 

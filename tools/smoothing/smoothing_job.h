@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "method_options.h"
+#include "command_line/method_options.h"
 
 #include <pcl_normal_smoothing/normal_smoothing.h>
 

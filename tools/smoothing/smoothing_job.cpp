@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smoothing_job.h"
 
-#include "cloud_graph.h"
-#include "option_notes.h"
+#include "clouds/cloud_graph.h"
+#include "command_line/option_notes.h"
+#include "command_line/tool.h"
 #include "smoothing_report.h"
-#include "tool.h"
 
 #include <pcl_normal_smoothing/core/error.h>
 

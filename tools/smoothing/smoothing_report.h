@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_io.h"
+#include "files/cloud_io.h"
 
 #include <pcl_normal_smoothing/core/smoothing.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_io.h"
-#include "mesh_io.h"
+#include "files/cloud_io.h"
+#include "meshes/mesh_io.h"
 
 #include <optional>
 

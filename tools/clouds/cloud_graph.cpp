@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_graph.h"
 
-#include "field_values.h"
-#include "tool.h"
+#include "command_line/tool.h"
+#include "files/field_values.h"
 
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/run_settings.h>

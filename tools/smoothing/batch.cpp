@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "batch.h"
 
-#include "process_pool.h"
+#include "command_line/process_pool.h"
+#include "command_line/tool.h"
+#include "files/tool_error.h"
 #include "smoothing_report.h"
-#include "tool.h"
-#include "tool_error.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_io.h"
 
-#include "cloud_io.h"
-#include "field_values.h"
-#include "output_file.h"
-#include "ply_format.h"
-#include "tool_error.h"
+#include "files/cloud_io.h"
+#include "files/field_values.h"
+#include "files/output_file.h"
+#include "files/ply_format.h"
+#include "files/tool_error.h"
 
 // Of CGAL only the readers, which are LGPL.
 #include <CGAL/IO/polygon_soup_io.h>

@@ -3,7 +3,7 @@
 // Options that have one meaning in all tools.
 #pragma once
 
-#include "cloud_io.h"
+#include "files/cloud_io.h"
 #include "options.h"
 
 #include <pcl_normal_smoothing/core/search/neighbor.h>

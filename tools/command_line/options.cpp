@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
-#include "tool_error.h"
+#include "files/tool_error.h"
 
 #include <algorithm>
 #include <charconv>
