@@ -12,10 +12,10 @@ namespace pcl_normal_smoothing
 /** Filters the normals of a cloud and keeps the edges between them: section II.B, eqs. 2 to 7, of Valdivia, Cedrim,
   * Petronetto, Paiva and Nonato, "Normal Correction Towards Smoothing Point-based Surfaces" (SIBGRAPI 2013).
   *
-  * Reads xyz and the normals, of the points or of setInputNormals; writes the normals of the points (a PointT without is
-  * refused: see filterNormals). Everything else stays. The sign of every normal stays; a point that is not finite, or whose normal is
-  * not finite or zero, stays as it is and does not count for its neighbours. With setIndices all normals are filtered,
-  * and those of the indexed points are written.
+  * Reads xyz and the normals, of the points or of setInputNormals; writes the normals of the points (a PointT without
+  * is refused: see filterNormals). Everything else stays. The sign of every normal stays; a point that is not finite,
+  * or whose normal is not finite or zero, stays as it is and does not count for its neighbours. With setIndices all
+  * normals are filtered, and those of the indexed points are written.
   *
   * k or a radius must be set, or a neighbour graph. On an error the output is empty, see filter and
   * getErrorMessage. */
@@ -112,11 +112,11 @@ public:
     return options_.iterations;
   }
 
-  /** Filters the normals of setInputNormals into a cloud of their own, for point types that have none. Other than that as
-    * filter().
-    * \param[out] normals one for every point of the input, curvature kept; may be the cloud of setInputNormals. Where the run is
-    * cancelled they are those of setInputNormals. On an error (getErrorMessage), also where no input or no normals are set, the
-    * cloud of setInputNormals stays as it is, and any other output is empty */
+  /** Filters the normals of setInputNormals into a cloud of their own, for point types that have none. Other than that
+    * as filter().
+    * \param[out] normals one for every point of the input, curvature kept; may be the cloud of setInputNormals. Where
+    * the run is cancelled they are those of setInputNormals. On an error (getErrorMessage), also where no input or no
+    * normals are set, the cloud of setInputNormals stays as it is, and any other output is empty */
   void
   filterNormals (pcl::PointCloud<pcl::Normal>& normals);
 

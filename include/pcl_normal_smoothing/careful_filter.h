@@ -14,9 +14,9 @@ class CarefulFilter : public pcl::Filter<PointT>, public SearchSettings<PointT>
 public:
   using PointCloud = pcl::PointCloud<PointT>;
 
-  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other output is
-    * empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error in place empties
-    * the cloud, and without an input the output keeps what it held.
+  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other
+    * output is empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error
+    * in place empties the cloud, and without an input the output keeps what it held.
     * \param[out] output the filtered input */
   void
   filter (PointCloud& output)

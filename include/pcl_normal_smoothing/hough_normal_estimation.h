@@ -8,8 +8,8 @@ namespace pcl_normal_smoothing
 /** Normals by the randomised Hough transform of Boulch and Marlet, "Fast and Robust Normal Estimation for Point Clouds
   * with Sharp Features" (SGP 2012), section II.A of Valdivia et al. 2013.
   *
-  * Planes through random triples of neighbours vote for a normal; beside an edge the face with more neighbours wins where
-  * PCA mixes the two. The same result for the same seed, whatever the threads and the order of the points. */
+  * Planes through random triples of neighbours vote for a normal; beside an edge the face with more neighbours wins
+  * where PCA mixes the two. The same result for the same seed, whatever the threads and the order of the points. */
 template <typename PointInT, typename PointOutT>
 class HoughNormalEstimation : public SurfaceNormalEstimation<PointInT, PointOutT>
 {
@@ -35,8 +35,8 @@ public:
     return options_.confidence;
   }
 
-  /** How close the votes come to their distribution. Range (0, 1), default 0.08; the number of triples grows with its
-    * inverse square. */
+  /** How close the votes come to their distribution. Range [0.001, 1), default 0.08; the number of triples grows with
+    * its inverse square. */
   void
   setTolerance (double tolerance)
   {

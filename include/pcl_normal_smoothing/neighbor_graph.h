@@ -13,8 +13,8 @@ template <typename PointT>
 using PointSearch = std::function<void (const PointT& point, std::vector<std::uint32_t>& neighbors)>;
 
 /** The answers of a search object to one query.
-  * \param[in] search searches \a cloud from now on, its finite points if it holds others; where many threads call the result,
-  * many ask it at once
+  * \param[in] search searches \a cloud from now on, its finite points if it holds others; where many threads call the
+  * result, many ask it at once
   * \param[in] query k, a radius, or k limited by a radius */
 template <typename PointT>
 PointSearch<PointT>
@@ -32,7 +32,8 @@ graphSearch (const typename pcl::search::Search<PointT>::Ptr& search,
 /** Searches the neighbours of all finite points of a cloud once, for all the classes of a chain (setNeighborGraph).
   * \param[in] k number of neighbours, the point itself included; 0 = by radius
   * \param[in] radius neighbours are closer; 0 = k alone. Both: the k nearest that are closer.
-  * \param[in] search a search object to ask, from many threads at once; empty = this module's own search, exact and faster
+  * \param[in] search a search object to ask, from many threads at once; empty = this module's own search, exact and
+  * faster
   * \param[in] threads 0 = all cores
   * \throw core::Error where k and radius are both 0, or one is negative */
 template <typename PointT>

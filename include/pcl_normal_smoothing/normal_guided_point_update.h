@@ -13,9 +13,9 @@ namespace pcl_normal_smoothing
   * and Nonato, "Normal Correction Towards Smoothing Point-based Surfaces" (SIBGRAPI 2013), or the compensated form that
   * does not drift on curved surfaces (UpdateRule).
   *
-  * Reads xyz and the normals, of the points or of setInputNormals; writes xyz. Everything else stays. A point that is not
-  * finite, or whose normal is not finite or zero, stays where it is and moves no other. With setIndices all points move,
-  * and the positions of the indexed ones are written.
+  * Reads xyz and the normals, of the points or of setInputNormals; writes xyz. Everything else stays. A point that is
+  * not finite, or whose normal is not finite or zero, stays where it is and moves no other. With setIndices all points
+  * move, and the positions of the indexed ones are written.
   *
   * k or a radius must be set, or a neighbour graph. On an error the output is empty, see filter and
   * getErrorMessage. */
@@ -99,7 +99,7 @@ public:
     return max_displacement_;
   }
 
-  /** Neighbours are searched anew after this many iterations. Default 0: never. */
+  /** Neighbours are searched anew after this many iterations, range >= 0. Default 0: never. */
   void
   setSearchInterval (int iterations)
   {

@@ -10,20 +10,21 @@
 
 namespace pcl_normal_smoothing
 {
-/** Smooths a noisy point-sampled surface without rounding its edges: estimates normals, filters them, moves the points to
-  * fit them. After Valdivia, Cedrim, Petronetto, Paiva and Nonato, "Normal Correction Towards Smoothing Point-based
+/** Smooths a noisy point-sampled surface without rounding its edges: estimates normals, filters them, moves the points
+  * to fit them. After Valdivia, Cedrim, Petronetto, Paiva and Nonato, "Normal Correction Towards Smoothing Point-based
   * Surfaces" (SIBGRAPI 2013); SmoothingPreset::PAPER is their method.
   *
-  * Reads xyz (and the normals for NormalSource::INPUT, of the points or of setInputNormals); writes xyz, and the normals
-  * that the points fit where PointT has some. Everything else stays: every other field, the number and order of points, the
-  * organisation; a point that is not finite stays as it is and is nobody's neighbour. With setIndices the whole cloud is
-  * smoothed and the indexed points are written.
+  * Reads xyz (and the normals for NormalSource::INPUT, of the points or of setInputNormals); writes xyz, and the
+  * normals that the points fit where PointT has some. Everything else stays: every other field, the number and order of
+  * points, the organisation; a point that is not finite stays as it is and is nobody's neighbour. With setIndices the
+  * whole cloud is smoothed and the indexed points are written.
   *
-  * In rounds, points in one place are one neighbour and move together, unless a graph is set that has them apart.
+  * In rounds, points in exactly one place count once and move together, unless the neighbour graph that is set has a
+  * node for each.
   *
-  * Without k, radius and graph the preset chooses k; one that is set is at least 7 in rounds, in the chain 4 for WPCA and 3 for PCA
-  * and Hough. The result is the same, bit for bit, for any number of threads. On an error the output is empty, see filter and
-  * getErrorMessage. */
+  * Without k, radius and graph the preset chooses k; one that is set is at least 7 in rounds, in the chain 4 for WPCA
+  * and 3 for PCA and Hough. The result is the same, bit for bit, for any number of threads. On an error the output is
+  * empty, see filter and getErrorMessage. */
 template <typename PointT>
 class NormalSmoothing : public CarefulFilter<PointT>, public InputNormals, public SmoothingSettings
 {
@@ -90,9 +91,9 @@ public:
     return save_normals_;
   }
 
-  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other output is
-    * empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error in place empties
-    * the cloud, and without an input the output keeps what it held.
+  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other
+    * output is empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error
+    * in place empties the cloud, and without an input the output keeps what it held.
     * \param[out] output the smoothed input */
   void
   filter (pcl::PCLPointCloud2& output)

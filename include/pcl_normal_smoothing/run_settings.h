@@ -78,7 +78,7 @@ public:
     return neighbor_graph_;
   }
 
-  /** Default 0: all cores. The result does not depend on it. */
+  /** Default 0: all cores; at most 1024 are used. The result does not depend on it. */
   void
   setNumberOfThreads (unsigned int threads = 0)
   {
@@ -120,8 +120,8 @@ protected:
   Outcome
   attempt (const std::string& class_name, const std::function<void ()>& work);
 
-  /** Runs a filter of PCL's so that nothing is lost: filtered in place, a cloud stays as it is where that fails; without an
-    * input the output is emptied, not left with what it held.
+  /** Runs a filter of PCL's so that nothing is lost: filtered in place, a cloud stays as it is where that fails;
+    * without an input the output is emptied, not left with what it held.
     * \param[in] filter (output): calls PCL's */
   template <typename CloudT, typename Filter>
   void
@@ -134,6 +134,7 @@ protected:
       attempt (class_name, [] { failWithoutInput (); });
     else
       filter (result);
+    // PCL's filter may have refused the input by itself, without a message: then the result is empty.
     if (!input || (error_message_.empty () && result.width == input->width))
       output = std::move (result);
   }
@@ -161,10 +162,6 @@ protected:
   std::string error_message_;
   bool cancelled_ = false;
 };
-
-/** For messages: short, and not "0.000000" for what is small. */
-std::string
-lengthText (double length);
 
 /** A length as the work is done with it.
   * \param[in] setter that it was given to, for the message

@@ -15,8 +15,8 @@ public:
   using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
   using SearchCloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
 
-  /** The search object to ask; it is given the input cloud, and asked from many threads at once (setNumberOfThreads). Default
-    * empty: this module's own search, which is exact and faster. */
+  /** The search object to ask; it is given the input cloud, and asked from many threads at once (setNumberOfThreads).
+    * Default empty: this module's own search, which is exact and faster. */
   void
   setSearchMethod (const SearchPtr& search)
   {
@@ -96,8 +96,9 @@ protected:
                const std::function<SearchCloudConstPtr ()>& cloud,
                const core::Execution& execution) const;
 
-  /** Searches the neighbours of moved nodes as the first were searched; by k or the radius where these are of a graph that was set.
-    * \throw core::Error where neither is set beside a graph */
+  /** Searches the neighbours of moved nodes as the first were searched. With a graph that was set, searches by k or the
+    * radius, one of which must be set then.
+    * \throw core::Error where neither is */
   core::SearchAgain
   makeSearchAgain (const NeighborGraph::ConstPtr& graph, const std::function<SearchCloudConstPtr ()>& cloud) const;
 

@@ -13,8 +13,8 @@ core::Vectors
 readNodeNormals (const VectorView& given, const core::NeighborGraph& graph, const core::Execution& execution);
 
 /** Takes what was found of the nodes for their copies too: graph.points ().
-  * \param[in] given the normals of the cloud, where they are not estimated: a copy may be the other side of the surface, and a point
-  * whose own is not finite or zero does not move
+  * \param[in] given the normals of the cloud, where they are not estimated: a copy may be the other side of the
+  * surface, and a point whose own is not finite or zero does not move
   * \param[in,out] displacements, normals of the nodes; on return, of their copies too */
 void
 includeCopies (const core::NeighborGraph& graph,

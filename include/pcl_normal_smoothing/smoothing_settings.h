@@ -17,10 +17,10 @@ enum class SmoothingPreset
 
 /** The parameters of NormalSmoothing.
   *
-  * The presets DEFAULT and FAST smooth in rounds, which need no parameter. Where one of the parameters of the paper's chain
-  * is set (the normal filter's, the update's rule or sigma_s, or a search interval above 0), the chain runs in their place: WPCA,
-  * k 15, Gaussian weights, 2 normal iterations, 2 compensated point iterations, apart from what is set. Defaults of those
-  * parameters are the chain's, and PAPER's where they differ. */
+  * The presets DEFAULT and FAST smooth in rounds, which need no parameter. Where one of the parameters of the paper's
+  * chain is set (the normal filter's, the update's rule or sigma_s, or a search interval above 0), the chain runs in
+  * their place: WPCA, k 15, Gaussian weights, 2 normal iterations, 2 compensated point iterations, apart from what is
+  * set. Defaults of those parameters are the chain's, and PAPER's where they differ. */
 class SmoothingSettings
 {
 public:
@@ -100,16 +100,16 @@ public:
     point_iterations_ = iterations;
   }
 
-  /** No point ends farther from where it began, in the cloud's unit, range > 0. Default, and where it is infinity: five times
-    * the largest noise in rounds, no limit in the chain. */
+  /** No point ends farther from where it began, in the cloud's unit, range > 0. Default, and where it is infinity: five
+    * times the largest noise in rounds, no limit in the chain. */
   void
   setMaxDisplacement (double distance)
   {
     max_displacement_ = distance;
   }
 
-  /** Neighbours of moved points are searched anew after this many iterations of the point update; above 0 it chooses the chain, as
-    * rounds never search anew. Default 0: never. */
+  /** Neighbours of moved points are searched anew after this many iterations of the point update, range >= 0; above 0
+    * it chooses the chain, as rounds never search anew. Default 0: never. */
   void
   setSearchInterval (int iterations)
   {
@@ -117,53 +117,56 @@ public:
   }
 
   /** The normals point to the same side everywhere: nothing is flipped, and two close sheets stay apart. With
-    * NormalSource::INPUT only: estimated normals have arbitrary signs, so that with them the run is an error. Default false. */
+    * NormalSource::INPUT only: estimated normals have arbitrary signs, so that with them the run is an error. Default
+    * false. */
   void
   setNormalsOriented (bool oriented)
   {
     oriented_ = oriented;
   }
 
-  /** Standard deviation of the noise along the normal, in the cloud's unit, range >= 0, for rounds. Default: estimated from
-    * the cloud, see SurfaceNoiseEstimation. */
+  /** Standard deviation of the noise along the normal, in the cloud's unit, range >= 0, for rounds. Default: estimated
+    * from the cloud, see SurfaceNoiseEstimation. */
   void
   setNoiseSigma (double sigma)
   {
     noise_sigma_ = sigma;
   }
 
-  /** The noise may differ from place to place, as that of scanners does: sigma is then its median over the points, and the cloud
-    * tells how it varies. For rounds. Default: true, but false where setNoiseSigma gives one sigma for all. */
+  /** The noise may differ from place to place, as that of scanners does: sigma is then its median over the points, and
+    * the cloud tells how it varies. For rounds. Default: true, but false where setNoiseSigma gives one sigma for all.
+    * */
   void
   setNoiseVaries (bool varies)
   {
     noise_varies_ = varies;
   }
 
-  /** Neighbourhoods may be too narrow to show the surface, and any noise: where points lie on the lines of a lidar that turns, or in
-    * layers, for their coordinates come in steps, as those of depth cameras do, or where the noise is wider than the points are apart.
-    * Where the cloud shows that, they grow, k as it is; or, in wide noise where they would lose detail, points first move onto quadrics
-    * through 32 to 128 of them. For rounds, and with k nearest neighbours, not where a radius bounds them; wide
-    * noise is looked for from k = 16 on. What rounding made of coordinates (voxels, few digits) is looked for too. Default: true. */
+  /** Neighbourhoods may be too narrow to show the surface, and any noise: where points lie on the lines of a lidar that
+    * turns, or in layers, for their coordinates come in steps, as those of depth cameras do, or where the noise is
+    * wider than the points are apart. Where the cloud shows that, they grow, k as it is; or, in wide noise where they
+    * would lose detail, points first move onto quadrics through 32 to 128 of them. For rounds, and with k nearest
+    * neighbours, not where a radius bounds them; wide noise is looked for from k = 16 on. What rounding made of
+    * coordinates (voxels, few digits) is looked for too. Default: true. */
   void
   setWidenNeighborhoods (bool widen)
   {
     widen_neighborhoods_ = widen;
   }
 
-  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; that of neighbours, where neighbourhoods are widened.
-    * Default: estimated. */
+  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; that of neighbours, where
+    * neighbourhoods are widened. Default: estimated. */
   void
   setPointSpacing (double spacing)
   {
     point_spacing_ = spacing;
   }
 
-  /** A neighbour that is farther than this from the mean of both points' tangent planes may lie on another sheet and is not
-    * counted, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one. Default: where the cloud shows close
-    * sheets, .36 of the gap between them, at most the smaller of 4 sigma and 1.2 spacings; where it shows the layers of a depth
-    * camera, infinity; else max (4 sigma, min (4 of the largest sigma, 1.2 spacings)), but infinity where four of
-    * the largest sigma are more than three times that, and for FAST. */
+  /** A neighbour that is farther than this from the mean of both points' tangent planes may lie on another sheet and is
+    * not counted, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one. Default: where the cloud shows
+    * close sheets, .36 of the gap between them, at most the smaller of 4 sigma and 1.2 spacings; where it shows the
+    * layers of a depth camera, infinity; else max (4 sigma, min (4 of the largest sigma, 1.2 spacings)), but infinity
+    * where four of the largest sigma are more than three times that, and for FAST. */
   void
   setSheetDistance (double distance)
   {
@@ -178,21 +181,23 @@ public:
   }
 
   /** The preset with all that was set explicitly; what the cloud has to tell is below 0.
-    * \throw core::Error where the noise, the spacing or the sheet distance was set to what is no length, in rounds; where float
-    * cannot hold a length */
+    * \throw core::Error where the noise, the spacing or the sheet distance was set to what is no length, in rounds;
+    * where float cannot hold a length */
   core::SmoothingOptions
   options () const;
 
-  /** What the last run used, with what it estimated from the cloud; of a run that failed or was cancelled, nothing: as constructed.
-    * Set explicitly, it gives the same result, where rounds.noise.field has regions with setNoiseVaries (true) besides. */
+  /** What the last run used, with what it estimated from the cloud; of a run that failed or was cancelled, nothing: as
+    * constructed. Set explicitly, it gives the same result, where rounds.noise.field has regions with setNoiseVaries
+    * (true) besides. */
   const core::SmoothingOptions&
   usedOptions () const
   {
     return used_options_;
   }
 
-  /** k where neither k, nor a radius, nor a graph is set: 32 of DEFAULT, 16 of FAST, 15 of the chain in their place, 7 of PAPER. Of a
-    * larger one that is set, or of more neighbours within a radius, the rounds look at the nearest 32. */
+  /** k where neither k, nor a radius, nor a graph is set: 32 of DEFAULT, 16 of FAST, 15 of the chain in their place, 7
+    * of PAPER. Of a larger one that is set, or of more neighbours within a radius, the rounds look at the nearest 32.
+    * */
   int
   presetK () const;
 

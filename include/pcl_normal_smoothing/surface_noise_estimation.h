@@ -8,16 +8,16 @@
 
 namespace pcl_normal_smoothing
 {
-/** Tells how noisy a scan is: the standard deviation of its noise along the surface's normal, from what quadrics through
-  * small neighbourhoods leave. NormalSmoothing estimates so too where setNoiseSigma gives none, but follows what else it finds: where
-  * it tells close sheets apart, its sigma is that of the neighbourhoods without the other sheet; where it sees past coordinates in
-  * steps, its neighbourhoods, and so its spacing, are wider ones. Its usedOptions have what it used.
+/** Tells how noisy a scan is: the standard deviation of its noise along the surface's normal, from what quadrics
+  * through small neighbourhoods leave. NormalSmoothing estimates so too where setNoiseSigma gives none, but follows
+  * what else it finds: where it tells close sheets apart, its sigma is that of the neighbourhoods without the other
+  * sheet; where it sees past coordinates in steps, its neighbourhoods, and so its spacing, are wider ones. Its
+  * usedOptions have what it used.
   *
-  * Looks at a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter, and points in one place
-  * count as one, but in a graph that is set. The 16
-  * nearest points are searched, unless a graph or a larger k is set. With setIndices the indexed points alone are the cloud:
-  * where these are not all that are finite, a search object (setSearchMethod) is given an unorganised copy of them, and a
-  * neighbour graph is refused. */
+  * Looks at a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter, and
+  * points in one place count as one, but in a graph that is set. The 16 nearest points are searched, unless a graph or
+  * a larger k is set. With setIndices the indexed points alone are the cloud: where these are not all that are finite,
+  * a search object (setSearchMethod) is given an unorganised copy of them, and a neighbour graph is refused. */
 template <typename PointT>
 class SurfaceNoiseEstimation : public pcl::PCLBase<PointT>, public SearchSettings<PointT>
 {
@@ -29,15 +29,16 @@ public:
   bool
   compute ();
 
-  /** Standard deviation of the noise, in the cloud's unit; where it varies, the median over the points. 0 before compute. */
+  /** Standard deviation of the noise, in the cloud's unit; where it varies, the median over the points. 0 before
+    * compute. */
   double
   getSigma () const
   {
     return estimate_.sigma;
   }
 
-  /** Standard deviation of the noise around \a place, both in the cloud's unit: getSigma everywhere, unless the cloud shows
-    * that its noise varies, as that of scanners does. 0 before compute. */
+  /** Standard deviation of the noise around \a place, both in the cloud's unit: getSigma everywhere, unless the cloud
+    * shows that its noise varies, as that of scanners does. 0 before compute. */
   double
   getSigmaAt (const Eigen::Vector3f& place) const
   {

@@ -12,12 +12,12 @@ namespace pcl_normal_smoothing
 {
 /** What this module's normal estimators have in common: which neighbourhoods they look at, and which way normals point.
   *
-  * Reads xyz; writes normal and curvature (the surface variation), one output for every index. A point that is not finite,
-  * or whose neighbourhood has fewer than 3 points (WPCA: without the point itself) or lies on a line, gets NaN, and the
-  * output is not dense. Normals point to the viewpoint, as those of pcl::NormalEstimation do.
+  * Reads xyz; writes normal and curvature (the surface variation), one output for every index. A point that is not
+  * finite, or whose neighbourhood has fewer than 3 points (WPCA: without the point itself) or lies on a line, gets NaN,
+  * and the output is not dense. Normals point to the viewpoint, as those of pcl::NormalEstimation do.
   *
-  * k or a radius must be set, or a neighbour graph; too small a k for any normal is an error. On an error the output is empty;
-  * see getErrorMessage. */
+  * k or a radius must be set, or a neighbour graph; too small a k for any normal is an error. On an error the output is
+  * empty; see getErrorMessage. */
 template <typename PointInT, typename PointOutT>
 class SurfaceNormalEstimation : public pcl::Feature<PointInT, PointOutT>, public RunSettings
 {

@@ -158,8 +158,8 @@ normalsOf (const pcl::PointCloud<PointT>& cloud)
 double
 unitOf (const VectorView& positions);
 
-/** The points of a cloud of \a size that tell its unit, some hundreds, and the unit from those of them that are finite: for a
-  * cloud that is nowhere as a whole. */
+/** The points of a cloud of \a size that tell its unit, some hundreds, and the unit from those of them that are finite:
+  * for a cloud that is nowhere as a whole. */
 std::vector<std::uint64_t>
 unitSample (std::uint64_t size);
 
@@ -185,7 +185,8 @@ readNormals (const VectorView& normals,
 std::vector<bool>
 selectPoints (const pcl::Indices& indices, std::size_t size);
 
-/** Adds what nodes have moved to the positions of the selected points of a cloud; one that has not moved keeps its bits.
+/** Adds what nodes have moved to the positions of the selected points of a cloud; one that has not moved keeps its
+  * bits.
   * \param[in] unit of the displacements, see core::Positions
   * \param[in] order the point of every node
   * \throw core::Error where a point would move to where its type has no numbers; some are written then */

@@ -74,16 +74,16 @@ TEST_F (Tiles, SpilledBytesComeBack)
     SpillFile spill (folder_, expected.size (), 1 << 15);
     for (int i = 0; i < 20000; ++i) {
       const std::string text = std::to_string (i) + ",";
-      const auto heap = static_cast<std::size_t> (i * 7919 % 13) % expected.size ();
-      expected[heap] += text;
-      spill.add (heap, text);
+      const auto bucket = static_cast<std::size_t> (i * 7919 % 13) % expected.size ();
+      expected[bucket] += text;
+      spill.add (bucket, text);
     }
     EXPECT_TRUE (files ().empty ()) << "it has a name";
-    for (std::size_t heap = 0; heap < expected.size (); ++heap) {
+    for (std::size_t bucket = 0; bucket < expected.size (); ++bucket) {
       std::string read;
-      spill.read (heap, [&] (std::string_view bytes) { read += bytes; });
-      EXPECT_TRUE (read == expected[heap]);
-      EXPECT_EQ (spill.size (heap), expected[heap].size ());
+      spill.read (bucket, [&] (std::string_view bytes) { read += bytes; });
+      EXPECT_TRUE (read == expected[bucket]);
+      EXPECT_EQ (spill.size (bucket), expected[bucket].size ());
     }
   }
 }

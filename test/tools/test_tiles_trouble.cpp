@@ -121,6 +121,14 @@ TEST_F (TilesTrouble, FoldersThatHoldOtherThings)
     writeText (path (std::string ("tiles.d/") + left), "by a process that was killed");
   plan ();
   EXPECT_EQ (filesIn ("tiles.d").size (), 7u);
+  fs::create_directory (path ("scans.d"));
+  for (const char* name : {"tile_000000.pcd", "plan.ply.pcd", "cells.pcd"}) {
+    const std::string scan = std::string ("scans.d/") + name;
+    fs::copy_file (path ("cloud.pcd"), path (scan));
+    expectRefused ("plan scans.d " + scan, 2, {"other files", name});
+    EXPECT_EQ (contentOf (path (scan)), contentOf (path ("cloud.pcd")));
+    fs::remove (path (scan));
+  }
 }
 
 TEST_F (TilesTrouble, TilesThatAreMissingOrDamagedAreListedAndRunAgain)
@@ -199,6 +207,8 @@ TEST_F (TilesTrouble, APlanIsKeptForTheSameFilesAndOptionsOnly)
   saveCloud (wavyCloud (901), "cloud.pcd");
   plan ();
   EXPECT_EQ (results (), 0u);
+  plan ("-preset fast"); // as large as this machine's memory allows: the same call on another machine keeps the plan
+  EXPECT_EQ (contentOf (path ("tiles.d/plan.json")).find ("max_points"), std::string::npos);
 }
 
 TEST_F (TilesTrouble, ResultsOfAnotherPlanDoNotCount)
@@ -220,6 +230,12 @@ TEST_F (TilesTrouble, OutputsThatAreSources)
   expectRefused ("merge tiles.d -output cloud.pcd", 2, {"was planned"});
   expectRefused ("merge tiles.d -output_dir " + folder_, 2, {"was planned"});
   EXPECT_EQ (contentOf (path ("cloud.pcd")), source);
+  fs::create_directory (path ("data.d"));
+  fs::copy_file (path ("cloud.pcd"), path ("data.d/tile_000000.pcd"));
+  succeed ("pcl_normal_smoothing_tiles plan other.d data.d/tile_000000.pcd -max_points 200 -preset fast");
+  succeed ("pcl_normal_smoothing_tiles run other.d");
+  expectRefused ("merge other.d -tile_dir data.d", 2, {"was planned"});
+  EXPECT_EQ (contentOf (path ("data.d/tile_000000.pcd")), source);
 }
 
 TEST_F (TilesTrouble, FullDisk)

@@ -37,9 +37,9 @@ enum class FileFormat
 
 /** Reads a PCD or PLY file, told apart by the extension.
   *
-  * Not with PCL's readers: those of 1.13 lose the viewpoint of a PLY file, take a size that a camera element states for that
-  * of the cloud, read a truncated line as a point at the origin, and crash where a header promises more than the file
-  * holds.
+  * Not with PCL's readers: those of 1.13 lose the viewpoint of a PLY file, take a size that a camera element states for
+  * that of the cloud, read a truncated line as a point at the origin, and crash where a header promises more than the
+  * file holds.
   * \throw FileError where the file cannot be read or is no cloud */
 CloudFile
 loadCloud (const std::string& path);

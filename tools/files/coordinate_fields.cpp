@@ -2,6 +2,7 @@
 #include "coordinate_fields.h"
 
 #include "field_values.h"
+#include "tool_error.h"
 
 #include <algorithm>
 #include <array>
@@ -68,7 +69,7 @@ CoordinateFields::CoordinateFields (const CloudShape& stored)
   if (coordinates.empty ())
     return;
   for (std::size_t d = 0; d < coordinates.size (); ++d)
-    fields_[coordinates[d]].name = std::string (1, "xyz"[d]);
+    rename (coordinates[d], std::string (1, "xyz"[d]));
   const Field& first = stored_[coordinates[0]];
   const auto all = [&] (const auto& holds) {
     return std::all_of (coordinates.begin (), coordinates.end (), [&] (std::size_t c) { return holds (stored_[c]); });
@@ -84,6 +85,16 @@ CoordinateFields::CoordinateFields (const CloudShape& stored)
     field.offset = static_cast<pcl::uindex_t> (step_);
     step_ += field.count * sizeOfType (field.datatype);
   }
+}
+
+void
+CoordinateFields::rename (std::size_t field, const std::string& name)
+{
+  const std::string old = fields_[field].name;
+  const auto hasName = [&] (const Field& other) { return other.name == name; };
+  if (old != name && std::any_of (fields_.begin (), fields_.end (), hasName))
+    throw FormatError ("has both " + name + " and " + old + ", and not all of x, y, z");
+  fields_[field].name = name;
 }
 
 CloudShape

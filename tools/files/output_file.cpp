@@ -131,7 +131,8 @@ OutputFile::~OutputFile ()
 {
   if (descriptor_ >= 0)
     close (descriptor_);
-  removeOwnTemporary ();
+  if (!temporary_.empty ())
+    removeOwnTemporary ();
 }
 
 void

@@ -10,8 +10,9 @@ namespace tools
 {
 /** A file that appears, or replaces the one of that name, only when it is complete.
   *
-  * It grows under a temporary name beside its place; destroyed before commit(), it leaves nothing behind and the old file
-  * as it was. A symbolic link is followed. A pipe or a device is written to at once: there is nothing to replace. */
+  * It grows under a temporary name beside its place; destroyed before commit(), it leaves nothing behind and the old
+  * file as it was. A symbolic link is followed. A pipe or a device is written to at once: there is nothing to replace.
+  * One at a time in a process: its signal handler removes the temporary file of the last. */
 class OutputFile
 {
 public:
@@ -51,8 +52,8 @@ private:
 void
 checkWritable (const std::string& path);
 
-/** Removes a file, or a folder once it is empty, together with the temporary file: what is of no use until other files are
-  * written. */
+/** Removes a file, or a folder once it is empty, together with the temporary file: what is of no use until other files
+  * are written. */
 void
 removeOnInterruption (const std::string& path);
 
@@ -60,7 +61,8 @@ removeOnInterruption (const std::string& path);
 void
 keepOnInterruption () noexcept;
 
-/** Removes the temporary file of the OutputFile at work, and what removeOnInterruption names. Safe in a signal handler. */
+/** Removes the temporary file of the OutputFile at work, and what removeOnInterruption names. Safe in a signal handler.
+  * */
 void
 removeTemporaryFile () noexcept;
 } // namespace tools

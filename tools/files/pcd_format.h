@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_io.h"
 #include "output_file.h"
 #include "point_stream.h"
-
-#include <stdexcept>
+#include "tool_error.h"
 
 namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Bytes are not what their format asks for, or a format cannot hold a cloud. */
-struct FormatError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-/** The widest point and the most points that a cloud may have: PCL counts points in int. */
-constexpr std::uint64_t max_point_bytes = 1u << 24, max_points = 0x7fffffff;
-
 /** Reads the bytes of a PCD file; its padding fields "_" become gaps between the others. \throw FormatError */
 void
 readPcd (const std::string& bytes, CloudFile& file);

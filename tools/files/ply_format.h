@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_io.h"
 #include "output_file.h"
-#include "pcd_format.h"
 #include "point_stream.h"
+#include "tool_error.h"
 
 namespace pcl_normal_smoothing
 {
@@ -43,8 +42,8 @@ struct PlyHeader
 PlyHeader
 readPlyHeader (ByteStream& stream);
 
-/** Reads the vertices of a PLY file as PCL names them (nx: normal_x; red, green, blue: rgb), with the viewpoint, width and
-  * height that a camera element says. \throw FormatError */
+/** Reads the vertices of a PLY file as PCL names them (nx: normal_x; red, green, blue: rgb), with the viewpoint, width
+  * and height that a camera element says. \throw FormatError */
 void
 readPly (const std::string& bytes, CloudFile& file);
 

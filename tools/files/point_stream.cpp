@@ -28,26 +28,6 @@ withPath (const std::string& path, const Work& work)
 }
 } // namespace
 
-CloudShape
-shapeOf (const CloudFile& file)
-{
-  return {file.cloud->fields, file.cloud->point_step, file.cloud->width, file.cloud->height,
-          file.origin,        file.orientation,       file.faces};
-}
-
-void
-setShape (const CloudShape& shape, CloudFile& file)
-{
-  file.cloud->fields = shape.fields;
-  file.cloud->point_step = static_cast<pcl::uindex_t> (shape.point_step);
-  file.cloud->width = static_cast<pcl::uindex_t> (shape.width);
-  file.cloud->height = static_cast<pcl::uindex_t> (shape.height);
-  file.cloud->row_step = file.cloud->width * file.cloud->point_step;
-  file.origin = shape.origin;
-  file.orientation = shape.orientation;
-  file.faces = shape.faces;
-}
-
 PointFile::PointFile (const std::string& path) : path_ (path), bytes_ (std::filesystem::path (path))
 {
   const std::string extension = extensionOf (path);
@@ -59,7 +39,7 @@ PointFile::PointFile (const std::string& path) : path_ (path), bytes_ (std::file
   if (!reader_)
     throw FileError (path, "is a compressed PCD file, which holds one field after the other",
                      "convert it, for example by pcl_convert_pcd_ascii_binary in.pcd out.pcd 1");
-  coordinates_ = std::make_unique<CoordinateFields> (reader_->shape ());
+  coordinates_ = withPath (path, [&] { return std::make_unique<CoordinateFields> (reader_->shape ()); });
   shape_ = coordinates_->shapeFrom (reader_->shape ());
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "byte_stream.h"
-#include "cloud_io.h"
+#include "cloud_shape.h"
 #include "output_file.h"
 
 #include <memory>
@@ -12,31 +12,6 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** All that a file says of a cloud, its points apart. */
-struct CloudShape
-{
-  std::vector<pcl::PCLPointField> fields;
-  std::size_t point_step = 0;
-  std::uint64_t width = 0, height = 1;
-  Eigen::Vector4f origin = Eigen::Vector4f::Zero ();
-  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity ();
-  /** Faces of a PLY mesh, which a cloud does not keep. */
-  std::uint64_t faces = 0;
-
-  std::uint64_t
-  size () const
-  {
-    return width * height;
-  }
-};
-
-CloudShape
-shapeOf (const CloudFile& file);
-
-/** Makes \a file a cloud of that shape; its data are to be filled in. */
-void
-setShape (const CloudShape& shape, CloudFile& file);
-
 /** Reads one point after the other, whatever the size of the file. */
 class PointReader
 {
@@ -76,13 +51,13 @@ protected:
 
 class CoordinateFields;
 
-/** Reads the points of a PCD or PLY file, told apart by the extension, their coordinates as CoordinateFields says. Its functions
-  * throw FileError. */
+/** Reads the points of a PCD or PLY file, told apart by the extension, their coordinates as CoordinateFields says. Its
+  * functions throw FileError. */
 class PointFile
 {
 public:
-  /** \throw FileError where the file cannot be read, is no cloud, or is a compressed PCD file, which holds one field after the
-    * other */
+  /** \throw FileError where the file cannot be read, is no cloud, or is a compressed PCD file, which holds one field
+    * after the other */
   explicit PointFile (const std::string& path);
 
   ~PointFile ();

@@ -23,5 +23,12 @@ struct FileError : std::runtime_error
   : std::runtime_error (file + ": " + what + ": " + advice)
   {}
 };
+
+/** Bytes are not what their format asks for, or a format cannot hold a cloud; who knows the file makes a FileError of
+  * it. */
+struct FormatError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
 } // namespace tools
 } // namespace pcl_normal_smoothing

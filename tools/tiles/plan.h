@@ -50,8 +50,8 @@ struct Tile
   std::uint32_t cells = 0;
 };
 
-/** What a point is in the files of tiles: its number among those of all files, its position, and a normal where that is read or
-  * written, each of floats or doubles. */
+/** What a point is in the files of tiles: its number among those of all files, its position, and a normal where that is
+  * read or written, each of floats or doubles. */
 class RecordLayout
 {
 public:
@@ -111,7 +111,8 @@ private:
   std::size_t normals_;
 };
 
-/** What `plan` leaves for `run` and `merge`: in a folder, as plan.json, cells.bin and a file of points for every tile. */
+/** What `plan` leaves for `run` and `merge`: in a folder, as plan.json, cells.bin and a file of points for every
+  * tile. */
 struct Plan
 {
   std::string folder;

@@ -23,7 +23,7 @@ public:
   , depth_ (depth)
   , execution_ (execution)
   , seen_ (neighborhoods.searched.size ())
-  , widening_ (neighborhoods.plan.cells.size (), -1)
+  , gaps_ (neighborhoods.plan.cells.size (), -1)
   {}
 
   std::vector<Doubt>
@@ -86,11 +86,11 @@ private:
   findGaps ()
   {
     core::parallelFor (
-        widening_.size (), execution_.silent (),
+        gaps_.size (), execution_.silent (),
         [&] (std::size_t begin, std::size_t end) {
           for (auto cell = static_cast<std::uint32_t> (begin); cell < end; ++cell)
             if (all_.cells.isLoaded (cell))
-              widening_[cell] = all_.cells.distanceFrom (all_.plan.cells[cell].box);
+              gaps_[cell] = all_.cells.distanceFrom (all_.plan.cells[cell].box);
         },
         256);
   }
@@ -99,7 +99,7 @@ private:
   isCertain (std::uint32_t node) const
   {
     const double radius = all_.rowRadius (node);
-    return radius < widening_[all_.cellOf (node)] || !all_.cells.isNear (all_.placeOf (node), radius);
+    return radius < gaps_[all_.cellOf (node)] || !all_.cells.isNear (all_.placeOf (node), radius);
   }
 
   enum Seen : std::uint8_t
@@ -113,7 +113,7 @@ private:
   const core::Execution& execution_;
   std::mutex mutex_; // of what all threads add to
   std::vector<std::atomic<std::uint8_t>> seen_;
-  std::vector<double> widening_;
+  std::vector<double> gaps_;
   std::vector<std::uint32_t> nodes_;
   std::vector<Doubt> doubts_;
 };
@@ -128,7 +128,8 @@ Neighborhoods::placeOf (std::uint32_t node) const
 double
 Neighborhoods::rowRadius (std::uint32_t node) const
 {
-  // Distances are compared in float, and positions are sums of two floats: no more is lost than this, nor where squares vanish.
+  // Distances are compared in float, and positions are sums of two floats: no more is lost than this, nor where squares
+  // vanish.
   constexpr double relative = 1e-5, tiny = 1e-17;
   const double lost = std::ldexp (static_cast<double> (nodes.base[node].lpNorm<Eigen::Infinity> ()), -40) + tiny;
   const core::Row row = searched.row (node);

@@ -42,15 +42,15 @@ struct Neighborhoods
   Eigen::Vector3d
   placeOf (std::uint32_t node) const;
 
-  /** Within how far from a node other points could change its searched row, in the unit of the files, roundings included;
-    * infinity where the row is short. */
+  /** Within how far from a node other points could change its searched row, in the unit of the files, roundings
+    * included; infinity where the row is short. */
   double
   rowRadius (std::uint32_t node) const;
 };
 
 /** Walks over the rows that a computation for the \a wanted nodes reads.
-  * \return the nodes, in any order, whose searched row could be another if all points were there; empty: the computation gives
-  *         what it would give for the whole cloud */
+  * \return the nodes, in any order, whose searched row could be another if all points were there; empty: the
+  * computation gives what it would give for the whole cloud */
 std::vector<Doubt>
 findDoubts (const Neighborhoods& neighborhoods,
             const std::vector<std::uint32_t>& wanted,

@@ -3,7 +3,7 @@
 
 #include "record_file.h"
 
-#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <core/smoothing_preparation.h>
 #include <pcl_normal_smoothing/smoothing_run.h>
 
 #include <algorithm>
@@ -219,7 +219,8 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
       wanted_records_[i] = true;
       points.push_back (i);
     }
-  // To ask for one point after the other takes a few times as long, but of few points most of what is loaded is not asked for.
+  // To ask for one point after the other takes a few times as long, but of few points most of what is loaded is not
+  // asked for.
   const bool are_few = depth.rows == 0 && points.size () < size () / few_of;
   searched_ =
       are_few ? core::NeighborGraph::buildAround (positions, points, std::max (depth.separation, 0), query_, execution_)

@@ -12,15 +12,17 @@ namespace tools
 /** How far along the rows of neighbours something looks. */
 struct Depth
 {
-  /** Rows of nodes that are up to so many hops off are read, over neighbourhoods as they are used: those of one sheet where sheets
-    * are separated. Below 0: none is. */
+  /** Rows of nodes that are up to so many hops off are read, over neighbourhoods as they are used: those of one sheet
+    * where sheets are separated. Below 0: none is. */
   int rows = 0;
-  /** Sheets are separated: to write such a row, rows as they were searched are read so many hops farther. Below 0: they are not. */
+  /** Sheets are separated: to write such a row, rows as they were searched are read so many hops farther. Below 0: they
+    * are not. */
   int separation = -1;
 };
 
-/** Some points of a plan with all around them on which a computation of that depth depends. In the rows of neighbours that the
-  * computation reads, and in their order, nothing is missing: that is proven, and more loaded until it can be. */
+/** Some points of a plan with all around them on which a computation of that depth depends. In the rows of neighbours
+  * that the computation reads, and in their order, nothing is missing: that is proven, and more loaded until it can
+  * be. */
 class Region
 {
 public:

@@ -120,7 +120,7 @@ void
 SmoothedSources::putResults (std::uint64_t first, pcl::PCLPointCloud2& cloud)
 {
   const VectorLayout positions = *VectorLayout::find (cloud, {"x", "y", "z"});
-  const auto normals = VectorLayout::find (cloud, {"normal_x", "normal_y", "normal_z"});
+  const auto normals = VectorLayout::find (cloud, normal_fields);
   tiles_.resize (cloud.width);
   for (std::size_t i = 0; i < cloud.width; ++i) {
     const std::uint8_t* record = results_->find (first + i, tiles_[i]);

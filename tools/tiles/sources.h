@@ -33,7 +33,8 @@ public:
   /** \param[in] first number of the first point of \a points, of which there are \a count */
   using Use = std::function<void (std::uint64_t first, const std::uint8_t* points, std::size_t count)>;
 
-  /** Hands over all points in order, some at a time. \throw FileError where a file is damaged or has changed meanwhile */
+  /** Hands over all points in order, some at a time. \throw FileError where a file is damaged or has changed
+    * meanwhile */
   void
   read (const Use& use);
 

@@ -14,8 +14,10 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-SpillFile::SpillFile (const std::string& folder, std::size_t heaps, std::size_t memory)
-: folder_ (folder), buffer_size_ (std::clamp<std::size_t> (memory / (heaps + 1), 1u << 12, 1u << 22)), heaps_ (heaps)
+SpillFile::SpillFile (const std::string& folder, std::size_t buckets, std::size_t memory)
+: folder_ (folder)
+, buffer_size_ (std::clamp<std::size_t> (memory / (buckets + 1), 1u << 12, 1u << 22))
+, buckets_ (buckets)
 {
   std::string name = folder + "/spill.XXXXXX";
   const SignalPause pause;
@@ -31,36 +33,36 @@ SpillFile::~SpillFile ()
 }
 
 void
-SpillFile::add (std::size_t heap, std::string_view bytes)
+SpillFile::add (std::size_t bucket, std::string_view bytes)
 {
-  heaps_[heap].buffer += bytes;
-  heaps_[heap].size += bytes.size ();
-  if (heaps_[heap].buffer.size () >= buffer_size_)
-    flush (heaps_[heap]);
+  buckets_[bucket].buffer += bytes;
+  buckets_[bucket].size += bytes.size ();
+  if (buckets_[bucket].buffer.size () >= buffer_size_)
+    flush (buckets_[bucket]);
 }
 
 void
-SpillFile::flush (Heap& heap)
+SpillFile::flush (Bucket& bucket)
 {
   std::size_t done = 0;
-  while (done < heap.buffer.size ()) {
-    const ssize_t written =
-        pwrite (descriptor_, heap.buffer.data () + done, heap.buffer.size () - done, static_cast<off_t> (end_ + done));
+  while (done < bucket.buffer.size ()) {
+    const ssize_t written = pwrite (descriptor_, bucket.buffer.data () + done, bucket.buffer.size () - done,
+                                    static_cast<off_t> (end_ + done));
     if (written < 0 && errno != EINTR)
       fail ("a temporary file cannot be written there");
     done += written > 0 ? static_cast<std::size_t> (written) : 0;
   }
-  heap.blocks.push_back ({end_, heap.buffer.size ()});
-  end_ += heap.buffer.size ();
-  heap.buffer.clear ();
+  bucket.blocks.push_back ({end_, bucket.buffer.size ()});
+  end_ += bucket.buffer.size ();
+  bucket.buffer.clear ();
 }
 
 void
 SpillFile::read (std::size_t number, const std::function<void (std::string_view)>& use)
 {
-  Heap& heap = heaps_[number];
+  Bucket& bucket = buckets_[number];
   std::string bytes;
-  for (const Block& block : heap.blocks) {
+  for (const Block& block : bucket.blocks) {
     bytes.resize (block.size);
     for (std::size_t done = 0; done < block.size;) {
       const ssize_t got =
@@ -71,7 +73,7 @@ SpillFile::read (std::size_t number, const std::function<void (std::string_view)
     }
     use (bytes);
   }
-  use (heap.buffer);
+  use (bucket.buffer);
 }
 
 void

@@ -10,14 +10,14 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Heaps of bytes that are gathered side by side and do not fit into memory: they wait in one file that has no name and goes with
-  * the process, however that ends. */
+/** Buckets of bytes that are gathered side by side and do not fit into memory: they wait in one file that has no name and
+  * goes with the process, however that ends. */
 class SpillFile
 {
 public:
   /** \param[in] folder where there is room for it
     * \param[in] memory bytes of all buffers \throw FileError */
-  SpillFile (const std::string& folder, std::size_t heaps, std::size_t memory);
+  SpillFile (const std::string& folder, std::size_t buckets, std::size_t memory);
   ~SpillFile ();
 
   SpillFile (const SpillFile&) = delete;
@@ -26,17 +26,17 @@ public:
 
   /** \throw FileError where the disk is full */
   void
-  add (std::size_t heap, std::string_view bytes);
+  add (std::size_t bucket, std::string_view bytes);
 
   std::uint64_t
-  size (std::size_t heap) const
+  size (std::size_t bucket) const
   {
-    return heaps_[heap].size;
+    return buckets_[bucket].size;
   }
 
-  /** Hands over what was added to a heap, in order, in pieces of whole add ()s. */
+  /** Hands over what was added to a bucket, in order, in pieces of whole add ()s. */
   void
-  read (std::size_t heap, const std::function<void (std::string_view)>& use);
+  read (std::size_t bucket, const std::function<void (std::string_view)>& use);
 
 private:
   struct Block
@@ -45,7 +45,7 @@ private:
     std::size_t size;
   };
 
-  struct Heap
+  struct Bucket
   {
     std::string buffer;
     std::vector<Block> blocks;
@@ -53,7 +53,7 @@ private:
   };
 
   void
-  flush (Heap& heap);
+  flush (Bucket& bucket);
 
   [[noreturn]] void
   fail (const char* action) const;
@@ -62,7 +62,7 @@ private:
   int descriptor_ = -1;
   std::uint64_t end_ = 0;
   std::size_t buffer_size_;
-  std::vector<Heap> heaps_;
+  std::vector<Bucket> buckets_;
 };
 } // namespace tools
 } // namespace pcl_normal_smoothing

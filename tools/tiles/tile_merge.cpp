@@ -28,12 +28,7 @@ public:
   void
   run ()
   {
-    if (!request_.output.empty ())
-      checkName (request_.output);
-    for (const Source& source : plan_.sources)
-      if (!request_.output_folder.empty ())
-        checkName (pathIn (request_.output_folder, source));
-    checkNamesDiffer ();
+    checkNames ();
     requireResults ();
     if (!request_.output.empty ())
       writeOne ();
@@ -48,6 +43,26 @@ private:
   pathIn (const std::string& folder, const Source& source)
   {
     return (fs::path (folder) / fs::path (source.path).filename ()).string ();
+  }
+
+  std::string
+  tilePath (std::size_t tile) const
+  {
+    return (fs::path (request_.tile_folder) / fs::path (plan_.resultPath (tile)).stem ()).string () + ".pcd";
+  }
+
+  void
+  checkNames () const
+  {
+    if (!request_.output.empty ())
+      checkName (request_.output);
+    if (!request_.output_folder.empty ())
+      for (const Source& source : plan_.sources)
+        checkName (pathIn (request_.output_folder, source));
+    if (!request_.tile_folder.empty ())
+      for (std::size_t tile = 0; tile < plan_.tiles.size (); ++tile)
+        checkName (tilePath (tile));
+    checkNamesDiffer ();
   }
 
   /** Sources stay, so that this can be run again. */
@@ -145,8 +160,7 @@ private:
     for (std::size_t tile = 0; tile < plan_.tiles.size (); ++tile) {
       shape.width = plan_.tiles[tile].points;
       shape.height = 1;
-      const std::string name = fs::path (plan_.resultPath (tile)).stem ().string () + ".pcd";
-      PointWriter writer (shape, request_.tile_folder + "/" + name, request_.format);
+      PointWriter writer (shape, tilePath (tile), request_.format);
       points.read (tile, [&] (std::string_view bytes) {
         writer.write (reinterpret_cast<const std::uint8_t*> (bytes.data ()), bytes.size () / shape.point_step);
       });

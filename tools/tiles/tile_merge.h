@@ -17,7 +17,8 @@ struct MergeRequest
 };
 
 /** Puts the results of tiles in the place of the points of the sources, with their order and all other fields.
-  * \throw FileError where a result or a source is missing, damaged or has changed; core::Error where no point had a normal */
+  * \throw FileError where a result or a source is missing, damaged or has changed; core::Error where no point had a
+  * normal */
 void
 mergeTiles (const Plan& plan, const MergeRequest& request);
 

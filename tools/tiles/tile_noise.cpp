@@ -4,8 +4,9 @@
 #include "command_line/tool.h"
 #include "region.h"
 
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <core/noise/noise_of_sample.h>
+#include <core/search/hash_sample.h>
+#include <core/smoothing_preparation.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,15 +10,15 @@
 #include "spill_file.h"
 #include "tile_noise.h"
 
+#include <core/noise/noise_sample.h>
+#include <core/search/hash_sample.h>
+#include <core/sheets/sheet_estimate.h>
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/noise/noise_sample.h>
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_estimate.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
+#include <regex>
 
 namespace fs = std::filesystem;
 
@@ -33,12 +33,19 @@ constexpr std::uint64_t program_bytes = 120u << 20;
 // The tiles are a little smaller than they may be: a sample decides where they part.
 constexpr double filling = 0.95;
 
-/** Also what a process that was killed outright has left. */
+/** Also what a process that was killed outright has left, under temporary names. No cloud has such a name. */
 bool
 isOfPlan (const std::string& name)
 {
-  constexpr std::array<const char*, 4> begins {"plan.", "cells.", "tile_", "spill."};
-  return std::any_of (begins.begin (), begins.end (), [&] (const char* begin) { return name.rfind (begin, 0) == 0; });
+  static const std::regex names (
+      R"(plan(\.\w{6})?\.json|cells(\.\w{6})?\.bin|tile_\d{6,}(\.\w{6})?\.(points|result)|spill\.\w{6})");
+  return std::regex_match (name, names);
+}
+
+[[noreturn]] void
+failIn (const std::string& folder, const std::string& what, const std::error_code& error)
+{
+  throw FileError (folder, what + " (" + error.message () + ")", "name another folder for the tiles");
 }
 
 class Planner
@@ -101,23 +108,27 @@ private:
     if (fs::create_directories (plan_.folder, error))
       removeOnInterruption (plan_.folder);
     if (error)
-      throw FileError (plan_.folder, "cannot be made (" + error.message () + ")", "name another folder for the tiles");
+      failIn (plan_.folder, "cannot be made", error);
   }
 
   void
   clearFolder ()
   {
     makeFolder ();
-    std::vector<fs::path> old;
-    for (const auto& entry : fs::directory_iterator (plan_.folder)) {
-      if (!isOfPlan (entry.path ().filename ().string ()))
-        throw FileError (plan_.folder, "holds other files (" + entry.path ().filename ().string () + ")",
+    std::vector<fs::path> old {plan_.folder + "/plan.json"}; // without it nothing else there is worth anything
+    std::error_code error;
+    for (fs::directory_iterator entry (plan_.folder, error); entry != fs::directory_iterator ();
+         entry.increment (error)) {
+      const fs::path path = entry->path ();
+      if (!isOfPlan (path.filename ().string ()))
+        throw FileError (plan_.folder, "holds other files (" + path.filename ().string () + ")",
                          "name a new folder for the tiles");
-      old.push_back (entry.path ());
+      old.push_back (path);
     }
-    fs::remove (plan_.folder + "/plan.json"); // from now on nothing else there is worth anything
-    for (const fs::path& path : old)
-      fs::remove (path);
+    for (auto path = old.begin (); !error && path != old.end (); ++path)
+      fs::remove (*path, error);
+    if (error)
+      failIn (plan_.folder, "cannot be cleared", error);
   }
 
   /** Reads all points once: their unit, and a sample by which to part them. */
@@ -164,7 +175,7 @@ private:
     return request_.max_points;
   }
 
-  /** Reads all points again, and puts those of every part of space on a heap. */
+  /** Reads all points again, and puts those of every part of space into a bucket. */
   void
   distribute ()
   {
@@ -172,7 +183,7 @@ private:
     const auto most_parts = static_cast<double> (request_.memory / 8 / 8192 + 1);
     const Partition partition (std::move (partition_sample_),
                                static_cast<std::size_t> (std::ceil (std::min (parts, most_parts))));
-    heaps_ = std::make_unique<SpillFile> (plan_.folder, partition.size (), request_.memory / 4);
+    buckets_ = std::make_unique<SpillFile> (plan_.folder, partition.size (), request_.memory / 4);
     std::string record (plan_.record.bytes (), '\0');
     auto* bytes = reinterpret_cast<std::uint8_t*> (record.data ());
     sources_.read ([&] (std::uint64_t first, const std::uint8_t* points, std::size_t count) {
@@ -184,31 +195,31 @@ private:
         plan_.record.positions ().set (bytes, 0, place);
         if (normals_)
           plan_.record.normals ().set (bytes, 0, normals_->get (points, i));
-        heaps_->add (partition.partOf (place), record);
+        buckets_->add (partition.partOf (place), record);
         hashes_.add (core::hashOf (read, i));
         ++plan_.points;
       }
     });
-    heap_count_ = partition.size ();
+    bucket_count_ = partition.size ();
     checkPointCount (plan_.points, plan_.query.k);
   }
 
   void
   writeTiles ()
   {
-    // Cells of some hundreds of points, enough to tell how far the neighbours are, but not so many cells that their list grows
-    // beyond measure.
+    // Cells of some hundreds of points, enough to tell how far the neighbours are, but not so many cells that their
+    // list grows beyond measure.
     const std::uint64_t most_cells = std::max<std::uint64_t> (request_.memory / 8 / (3 * sizeof (Cell)), 1024);
     const std::uint64_t cell_points = std::max ({std::min<std::uint64_t> (maxPoints () / 256, 256),
                                                  2 * std::uint64_t (plan_.query.k) + 1, plan_.points / most_cells});
     TileWriter writer (plan_, maxPoints (), cell_points, hashes_.limitFor (core::noise_sample_size), execution_);
-    // A heap that is larger than the sample made expect comes in pieces.
+    // A bucket that is larger than the sample made expect comes in pieces.
     const std::uint64_t piece = std::max<std::uint64_t> (request_.memory / 3 / (2 * plan_.record.bytes () + 64), 4096);
-    for (std::size_t heap = 0; heap < heap_count_; ++heap) {
+    for (std::size_t bucket = 0; bucket < bucket_count_; ++bucket) {
       std::vector<std::uint8_t> records;
-      const std::uint64_t size = heaps_->size (heap), step = plan_.record.bytes ();
+      const std::uint64_t size = buckets_->size (bucket), step = plan_.record.bytes ();
       records.reserve (std::min (size, (piece + 1) * step));
-      heaps_->read (heap, [&] (std::string_view bytes) {
+      buckets_->read (bucket, [&] (std::string_view bytes) {
         for (std::size_t at = 0; at < bytes.size (); at += step) {
           records.insert (records.end (), bytes.begin () + static_cast<std::ptrdiff_t> (at),
                           bytes.begin () + static_cast<std::ptrdiff_t> (at + step));
@@ -220,7 +231,7 @@ private:
       });
       writer.add (records);
     }
-    heaps_.reset ();
+    buckets_.reset ();
     sample_ = writer.sample ();
   }
 
@@ -230,8 +241,8 @@ private:
   Plan plan_;
   std::optional<VectorLayout> positions_, normals_; // in the files
   std::vector<Eigen::Vector3d> partition_sample_;
-  std::unique_ptr<SpillFile> heaps_;
-  std::size_t heap_count_ = 0;
+  std::unique_ptr<SpillFile> buckets_;
+  std::size_t bucket_count_ = 0;
   core::SmallestHashes hashes_ {core::noise_sample_size};
   std::vector<SamplePoint> sample_;
 };
@@ -274,7 +285,7 @@ pointsWithin (std::uint64_t memory, const core::SmoothingOptions& options, const
   const double bytes = 250 + 4 * k;
   const double loaded = static_cast<double> (std::max (memory, 2 * program_bytes) - program_bytes) / bytes;
   // A square of a surface, with a halo along its sides; a hop goes as far as the k-th neighbour.
-  const double halo = 1.2 * (core::smoothingDepth (noisy) + 3) * std::sqrt (k / 3.14159);
+  const double halo = 1.2 * (core::smoothingDepth (noisy) + 3) * std::sqrt (k / M_PI);
   const double side = std::max (std::sqrt (loaded) - 2 * halo, std::sqrt (loaded) / 2);
   return static_cast<std::uint64_t> (side * side);
 }

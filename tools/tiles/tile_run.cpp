@@ -4,7 +4,7 @@
 #include "region.h"
 #include "tile_result.h"
 
-#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <core/smoothing_preparation.h>
 #include <pcl_normal_smoothing/smoothing_run.h>
 
 #include <algorithm>

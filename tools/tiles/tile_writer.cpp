@@ -3,8 +3,8 @@
 
 #include "files/checksum.h"
 
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/search/select_nth.h>
+#include <core/search/hash_sample.h>
+#include <core/search/select_nth.h>
 
 #include <algorithm>
 #include <cmath>

@@ -29,7 +29,8 @@ public:
               std::uint32_t sample_limit,
               const core::Execution& execution);
 
-  /** \param[in] records of plan.record, in the order of their numbers: one tile's, or those of several \throw FileError */
+  /** \param[in] records of plan.record, in the order of their numbers: one tile's, or those of several \throw
+    * FileError */
   void
   add (const std::vector<std::uint8_t>& records);
 

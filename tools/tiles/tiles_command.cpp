@@ -157,9 +157,8 @@ TilesCommand::readRequest (const Options& options)
   request_.memory = memory_;
   if (request_.max_points == 0)
     request_.max_points = pointsWithin (memory_, request_.options, request_.query);
-  for (const auto& [name, text] : options.given ())
-    request_.text += name == "-threads" || name == "-memory" ? "" : name + " " + text + " ";
-  request_.text += "-max_points " + std::to_string (request_.max_points);
+  for (const auto& [name, text] : options.given ()) // what follows from this machine's memory is not asked for
+    request_.text += name == "-threads" ? "" : name + " " + text + " ";
   for (const std::string& file : request_.files)
     request_.text += "\n" + std::filesystem::absolute (file).lexically_normal ().string ();
 }

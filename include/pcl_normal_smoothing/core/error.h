@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace pcl_normal_smoothing
 {
@@ -18,5 +19,9 @@ struct Cancelled : std::runtime_error
 {
   Cancelled () : std::runtime_error ("cancelled by the progress callback") {}
 };
+
+/** A number for messages: short, and not "0.000000" for what is small. */
+std::string
+numberText (double number);
 } // namespace core
 } // namespace pcl_normal_smoothing

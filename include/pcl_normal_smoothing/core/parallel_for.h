@@ -24,7 +24,8 @@ public:
   Execution
   part (double from, double to, double of = 1) const;
 
-  /** The same threads, reporting where this begins, again and again: for steps whose number nobody knows, so that they can be cancelled. */
+  /** The same threads, reporting where this begins, again and again: for steps whose number nobody knows, so that they
+    * can be cancelled. */
   Execution
   still () const;
 

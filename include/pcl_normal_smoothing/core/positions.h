@@ -17,7 +17,8 @@ using Numbers = PaddedVector<float>;
 /** Which points of a cloud, by their numbers. */
 using Elements = PaddedVector<std::uint32_t>;
 
-/** Summed as FLANN and the kd-tree do: Eigen's squaredNorm rounds otherwise, and near ties would stand in another order. */
+/** Summed as FLANN and the kd-tree do: Eigen's squaredNorm rounds otherwise, and near ties would stand in another
+  * order. */
 inline float
 squaredLength (const Eigen::Vector3f& difference)
 {
@@ -33,8 +34,8 @@ struct Positions
 {
   Vectors base;
   Vectors offset;
-  /** What stands here, times this, is in the cloud's unit. A power of two, so that nothing is rounded: kernels take fourth
-    * powers of lengths in float, and a cloud measured in 1e-30 or 1e30 is read in another unit. */
+  /** What stands here, times this, is in the cloud's unit. A power of two, so that nothing is rounded: kernels take
+    * fourth powers of lengths in float, and a cloud measured in 1e-30 or 1e30 is read in another unit. */
   double unit = 1;
 
   std::size_t
@@ -71,7 +72,7 @@ startOf (const Positions& positions);
 Vectors
 displacements (const Vectors& start, const Positions& positions);
 
-/** Of the coordinates of one point, whatever the order of the points: any number, as likely as any other. */
+/** A hash of one point's coordinates, uniform over 32 bits, whatever the order of the points. */
 std::uint32_t
 hashOf (const Positions& positions, std::size_t i);
 

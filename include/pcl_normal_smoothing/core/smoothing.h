@@ -19,8 +19,8 @@ struct SmoothingOptions
   HoughOptions hough;
   NormalFilterOptions filter;
   PointUpdateOptions update;
-  /** Where noise.sigma, noise.spacing or sheet_distance is below 0 it is estimated; likewise an infinite max_displacement,
-    * from sigma. */
+  /** Where noise.sigma, noise.spacing or sheet_distance is below 0 it is estimated; likewise an infinite
+    * max_displacement, from sigma. */
   RobustSmoothingOptions rounds;
   /** rounds.noise.field is to be estimated too. */
   bool noise_varies = false;
@@ -32,7 +32,8 @@ struct SmoothingOptions
   inUnit (double unit) const;
 };
 
-/** \throw Error where an option is out of range, or normals are oriented that are to be estimated: their signs are arbitrary */
+/** \throw Error where an option is out of range, or normals are oriented that are to be estimated: their signs are
+  * arbitrary */
 void
 check (const SmoothingOptions& options);
 
@@ -42,8 +43,9 @@ check (const SmoothingOptions& options);
 void
 checkNeighborCount (const SmoothingOptions& options, int k);
 
-/** How far along the rows smooth looks: what becomes of a node depends on nodes that are so many hops off, and on the rows of those
-  * that are fewer hops off. Not where neighbours are searched anew (update.search_interval): then it has no bound.
+/** How far along the rows smooth looks: what becomes of a node depends on nodes that are so many hops off, and on the
+  * rows of those that are fewer hops off. Not where neighbours are searched anew (update.search_interval): then it has
+  * no bound.
   * \param[in] options without anything to estimate */
 int
 smoothingDepth (const SmoothingOptions& options);

@@ -19,7 +19,8 @@ pointSearch (const typename pcl::search::Search<PointT>::Ptr& search,
              const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
              const core::NeighborQuery& query)
 {
-  // is_dense of users is often wrong, and a cloud may have changed behind its pointer: hand the finite points over anew.
+  // is_dense of users is often wrong, and a cloud may have changed behind its pointer: hand the finite points over
+  // anew.
   auto finite = pcl::make_shared<pcl::Indices> ();
   for (std::size_t i = 0; i < cloud->size (); ++i)
     if (pcl::isXYZFinite ((*cloud)[i]))

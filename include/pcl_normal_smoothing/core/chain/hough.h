@@ -13,7 +13,7 @@ struct HoughOptions
 {
   /** a: probability with which the votes come close to their distribution, in (0, 1). */
   float confidence = 0.95f;
-  /** d: how close, in (0, 1). At most T = ln (2 M / (1 - a)) / (2 d^2) triples are drawn, M the number of bins. */
+  /** d: how close, in [0.001, 1). At most T = ln (2 M / (1 - a)) / (2 d^2) triples are drawn, M the number of bins. */
   float tolerance = 0.08f;
   /** n_phi: bands of a bin's height between the poles, 2 to 1000. */
   int bands = 15;
@@ -59,7 +59,8 @@ private:
 
   using RowMajorMatrix = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 
-  /** Lets the triples vote in one accumulator, 16 at a time, until the winner is clear or all that it may have are drawn.
+  /** Lets the triples vote in one accumulator, 16 at a time, until the winner is clear or all that it may have are
+    * drawn.
     * \return the mean normal of the winning bin; zero where no triple spans a plane */
   Eigen::Vector3f
   vote (const RowMajorMatrix& rotation, const Vectors& points, TripleSource& triples, std::vector<Bin>& bins) const;

@@ -10,7 +10,8 @@ namespace core
 /** What a neighbourhood tells of the surface. */
 struct LocalSurface
 {
-  /** Length 1, sign arbitrary; NaN where fewer than 3 points count or they lie on a line. WPCA does not count the point itself. */
+  /** Length 1, sign arbitrary; NaN where fewer than 3 points count or they lie on a line. WPCA does not count the point
+    * itself. */
   Eigen::Vector3f normal;
   /** Surface variation, l0 / (l0 + l1 + l2) with l0 the smallest eigenvalue of the covariance (Pauly et al. 2002): 0 to
     * 1/3; NaN with the normal. */

@@ -26,9 +26,10 @@ void
 check (const NormalFilterOptions& options);
 
 /** Runs options.iterations iterations of eq. 2: a node's normal becomes the weighted sum of the normals of its
-  * neighbourhood, itself included, at length 1. A neighbour at more than 90 degrees counts with its opposite, unless the
-  * normals are oriented; the sign of the node's own normal stays. Neighbours without a normal (NaN) do not count; where the
-  * sum vanishes, or the node has no normal, the old one stays. sigma_c of eq. 5 is the mean distance to the others.
+  * neighbourhood, itself included, at length 1. A neighbour at more than 90 degrees counts with its opposite, unless
+  * the normals are oriented; the sign of the node's own normal stays. Neighbours without a normal (NaN) do not count;
+  * where the sum vanishes, or the node has no normal, the old one stays. sigma_c of eq. 5 is the mean distance to the
+  * others.
   * \param[in] positions of the nodes
   * \param[in,out] normals of the nodes, length 1 or NaN */
 void

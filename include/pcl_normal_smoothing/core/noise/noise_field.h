@@ -8,8 +8,8 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** How the noise of a cloud varies from place to place: a scanner measures worse what is far, dark or slanting. Regions, each with
-  * its part of the cloud's sigma. */
+/** How the noise of a cloud varies from place to place: a scanner measures worse what is far, dark or slanting.
+  * Regions, each with its part of the cloud's sigma. */
 struct NoiseField
 {
   /** sigma there over that of the cloud, > 0. None: the noise is the same everywhere. */
@@ -42,8 +42,10 @@ struct NoiseField
   }
 };
 
-/** How sure it is, 0 to 1, that what quadrics leave is detail and not noise: it differs more inside of regions than one noise would.
-  * \param[in] variances of the 12 nearest, what a sample of the whole cloud shows, in any order; 0 for less than three quarters of noise_sample_size
+/** How sure it is, 0 to 1, that what quadrics leave is detail and not noise: it differs more inside of regions than one
+  * noise would.
+  * \param[in] variances of the 12 nearest, what a sample of the whole cloud shows, in any order; 0 for less than three
+  * quarters of noise_sample_size
   * \param[in] spacing between neighbouring points, > 0 */
 double
 certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing);
@@ -52,7 +54,8 @@ certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing);
   * \param[in] spacing between neighbouring points, > 0
   * \param[in] ratio sigma over it: the smaller, the more must regions differ, for detail looks like noise
   * \param[in] certainty_of_detail 0 to 1: so much less do regions count
-  * \return the factor 1 is the median of the sample; no regions where they hardly differ, or the sample is too small to tell */
+  * \return the factor 1 is the median of the sample; no regions where they hardly differ, or the sample is too small to
+  * tell */
 NoiseField
 estimateNoiseField (const std::vector<LocalValue>& variances,
                     float spacing,

@@ -8,10 +8,10 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Smoothing in rounds. Each fits a robust quadric to every neighbourhood and takes its normal, proposes the compensated
-  * step of UpdateRule::COMPENSATED with weights that see by its height that a neighbour lies on another sheet, and takes
-  * as much of the step as an estimate of the risk allows. At the end points that came close to each other move apart along the surface.
-  * The noise decides all else. doc/robust_smoothing.md derives it. */
+/** Smoothing in rounds. Each fits a robust quadric to every neighbourhood and takes its normal, proposes the
+  * compensated step of UpdateRule::COMPENSATED with weights that see by its height that a neighbour lies on another
+  * sheet, and takes as much of the step as an estimate of the risk allows. At the end points that came close to each
+  * other move apart along the surface. The noise decides all else. doc/robust_smoothing.md derives it. */
 struct RobustSmoothingOptions
 {
   /** Of the cloud; sigma 0 leaves it as it is. The weights and the estimate of the risk go by sigma at each place. */
@@ -35,12 +35,13 @@ struct RobustSmoothingOptions
 void
 check (const RobustSmoothingOptions& options);
 
-/** Normals for the rounds to start from: WPCA (eq. 1) over the \a k nearest, in float; NaN where there are fewer than 3. Of 3 it is
-  * any normal across the line of the other two, or NaN. */
+/** Normals for the rounds to start from: WPCA (eq. 1) over the \a k nearest, in float; NaN where there are fewer than
+  * 3. Of 3 it is any normal across the line of the other two, or NaN. */
 Vectors
 startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k = 12);
 
-/** \param[in] start offsets of the nodes before anything moved, as startOf tells; what options.max_displacement counts from
+/** \param[in] start offsets of the nodes before anything moved, as startOf tells; what options.max_displacement counts
+  * from
   * \param[in,out] positions of the nodes; their offsets change
   * \param[in,out] normals of the nodes to start from, length 1 or NaN; on return those of the last round */
 void

@@ -8,8 +8,9 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Points that lie exactly where another one lies: where files were joined that overlap, or a mesh was written triangle by triangle.
-  * Among the neighbours of a point they would take the places of others, and quadrics would find no noise between them. */
+/** Points that lie exactly where another one lies: where files were joined that overlap, or a mesh was written triangle
+  * by triangle. Among the neighbours of a point they would take the places of others, and quadrics would find no noise
+  * between them. */
 struct Copies
 {
   Elements points;

@@ -13,10 +13,10 @@ namespace core
 {
 /** The neighbourhoods of all finite points of a cloud, searched once and shared by all stages.
   *
-  * Its nodes are the cloud's finite points, or, where the query is for distinct ones, the first in every place of these, in an
-  * order that follows space, so that a kernel that walks over the nodes finds its neighbours in the cache whatever the cloud's
-  * order. A row begins with the point itself; its neighbours follow by (squared distance, index in the cloud), and a tie at the
-  * k-th place goes to the lowest index. */
+  * Its nodes are the cloud's finite points, or, where the query is for distinct ones, the first in every place of
+  * these, in an order that follows space, so that a kernel that walks over the nodes finds its neighbours in the cache
+  * whatever the cloud's order. A row begins with the point itself; its neighbours follow by (squared distance, index in
+  * the cloud), and a tie at the k-th place goes to the lowest index. */
 class NeighborGraph
 {
 public:
@@ -35,9 +35,8 @@ public:
 
   /** Searches the neighbours of some points only, and of what can be reached from them: for a sample of a cloud.
     * \param[in] start finite points of the cloud, each once
-    * \param[in] hops along rows. The nodes are \a start, in that order, copies apart, and what is reached by so many hops and one
-    * more; the rows
-    * of what only the last one reaches hold nothing but the node */
+    * \param[in] hops along rows. The nodes are \a start, in that order, copies apart, and what is reached by so many
+    * hops and one more; the rows of what only the last one reaches hold nothing but the node */
   static Ptr
   buildAround (const Positions& cloud,
                const Elements& start,
@@ -61,8 +60,8 @@ public:
 
   /** A graph in which some rows are others, no longer than they were; it shares the memory of all other blocks.
     * \param[in] nodes whose rows change, ascending
-    * \param[in] rows those of all \a nodes, one after the other, of \a length each; the node itself comes first and fills
-    * what is left behind the last neighbour */
+    * \param[in] rows those of all \a nodes, one after the other, of \a length each; the node itself comes first and
+    * fills what is left behind the last neighbour */
   Ptr
   withRows (const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& rows, std::size_t length) const;
 
@@ -84,8 +83,8 @@ public:
     return (size () + block_size - 1) / block_size;
   }
 
-  /** The neighbours of the nodes of a block: the first of every node, then the second of every node ... A node with fewer
-    * than the others is its own neighbour for the rest; lanes behind the last node repeat it. */
+  /** The neighbours of the nodes of a block: the first of every node, then the second of every node ... A node with
+    * fewer than the others is its own neighbour for the rest; lanes behind the last node repeat it. */
   const std::uint32_t*
   blockRows (std::size_t block) const
   {

@@ -16,8 +16,8 @@ namespace core
 /** A balanced kd-tree that answers for all of its points at once, leaf by leaf.
   *
   * A leaf gathers the leaves that can hold neighbours of any of its points once; distances are then taken over
-  * contiguous arrays. They are ((dx^2 + dy^2) + dz^2) in float, as FLANN's, and the result is exact: rows are ordered by
-  * (squared distance, rank), and a tie at the k-th place goes to the lowest rank. */
+  * contiguous arrays. They are ((dx^2 + dy^2) + dz^2) in float, as FLANN's, and the result is exact: rows are ordered
+  * by (squared distance, rank), and a tie at the k-th place goes to the lowest rank. */
 class KdTree
 {
 public:

@@ -9,9 +9,9 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Neighbourhoods about twice as wide as those of a graph, of 16 points, without a search. In place of a neighbour j of i
-  * stands the neighbour of j that is nearest to p_i + 2 (p_j - p_i), among the five whose rank in j's row is about that of
-  * j in i's row. What is in no row, as the points of another sheet, does not come in. */
+/** Neighbourhoods about twice as wide as those of a graph, of 16 points, without a search. In place of a neighbour j of
+  * i stands the neighbour of j that is nearest to p_i + 2 (p_j - p_i), among the five whose rank in j's row is about
+  * that of j in i's row. What is in no row, as the points of another sheet, does not come in. */
 class FarRows
 {
 public:
@@ -31,7 +31,7 @@ public:
 
 private:
   const NeighborGraph& graph_;
-  PaddedVector<std::uint8_t> row_lengths_; // of all nodes, max_k at most
+  PaddedVector<std::uint8_t> row_lengths_; // of all nodes, max_row_length at most
   PaddedVector<std::uint8_t> ranks_;       // of what stands there among the neighbour's neighbours: 0 is the neighbour
 };
 } // namespace core

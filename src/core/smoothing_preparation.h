@@ -9,8 +9,8 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The order in which the noise and the sheets of a cloud are estimated, each from what was before, for a cloud that is seen as a
-  * whole or in tiles. */
+/** The order in which the noise and the sheets of a cloud are estimated, each from what was before, for a cloud that is
+  * seen as a whole or in tiles. */
 class SmoothingPreparation
 {
 public:
@@ -25,8 +25,8 @@ public:
   static SheetSeparationOptions
   separation (const SmoothingOptions& options, const Vectors& normals);
 
-  /** Whether what was told apart is no sheets but the layers of coordinates in steps, as depth cameras give them: then all
-    * lies on one sheet.
+  /** Whether what was told apart is no sheets but the layers of coordinates in steps, as depth cameras give them: then
+    * all lies on one sheet.
     * \param[in] before, separated the estimates before and after; sigma 0: too little is left to tell */
   static bool
   areLayers (const NoiseEstimate& before, const NoiseEstimate& separated, const SheetEstimate& sheets);
@@ -39,7 +39,8 @@ protected:
   virtual SheetDetection
   sheets (const SheetScales& scales) = 0;
 
-  /** From now on neighbourhoods keep to one sheet. \return false: none changes, and noise by quadrics would be the same */
+  /** From now on neighbourhoods keep to one sheet. \return false: none changes, and noise by quadrics would be the same
+    * */
   virtual bool
   separate (const SmoothingOptions& options) = 0;
 
@@ -51,7 +52,8 @@ protected:
   virtual void
   undoSeparation () = 0;
 
-  /** Neighbourhoods are as they were searched, and so show but a part of noise that is as wide as the points are apart. */
+  /** Neighbourhoods are as they were searched, and so show but a part of noise that is as wide as the points are apart.
+    * */
   virtual bool
   underestimatesWideNoise () const
   {

@@ -17,11 +17,11 @@ public:
   {
     /** All in the same one. */
     ONE,
-    /** Each in one that the hash of its coordinates picks, of as many as have about 16,384 points in all: by chance one small part shows what
-      * others do not. */
+    /** Each in one that the hash of its coordinates picks, of as many as have about 16,384 points in all: by chance one
+      * small part shows what others do not. */
     SOME,
-    /** Each in one that the hash of its coordinates picks: a cloud that is smoothed so makes use of all of its points, for neighbours
-      * of neighbours lie in other parts. */
+    /** Each in one that the hash of its coordinates picks: a cloud that is smoothed so makes use of all of its points,
+      * for neighbours of neighbours lie in other parts. */
     ALL
   };
 

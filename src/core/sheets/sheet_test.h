@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_normal_smoothing/core/kernels.h>
+#include <pcl_normal_smoothing/core/limits.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 #include <pcl_normal_smoothing/core/search/node_blocks.h>
 
@@ -12,7 +13,7 @@ namespace pcl_normal_smoothing
 namespace core
 {
 /** How many neighbours are asked whether they lie on another sheet. */
-constexpr std::size_t sheet_row_length = 32;
+constexpr std::size_t sheet_row_length = max_row_length;
 
 /** So many of them tell that there is one. */
 constexpr int min_other_neighbors = 3;

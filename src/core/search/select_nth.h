@@ -16,7 +16,8 @@ namespace detail
 {
 constexpr std::ptrdiff_t max_pivot_sample = 1024;
 
-/** A key that leaves the n-th point on the smaller side of a partition, nearly always: the sample's, and some ranks more. */
+/** A key that leaves the n-th point on the smaller side of a partition, nearly always: the sample's, and some ranks
+  * more. */
 template <typename Point, typename Key>
 auto
 choosePivot (const Point* first, const Point* nth, const Point* last, const Key& key)
@@ -62,8 +63,8 @@ partitionPoints (Point* first, Point* last, const Wanted& wanted)
 }
 } // namespace detail
 
-/** std::nth_element by a key, a number: a half to a quarter of its time, as nothing waits for a mispredicted branch and a
-  * sample finds the pivots (after Floyd and Rivest, Communications of the ACM 18, 1975). */
+/** std::nth_element by a key, a number: a half to a quarter of its time, as nothing waits for a mispredicted branch and
+  * a sample finds the pivots (after Floyd and Rivest, Communications of the ACM 18, 1975). */
 template <typename Point, typename Key>
 void
 selectNth (Point* first, Point* nth, Point* last, const Key& key)

@@ -25,8 +25,8 @@ struct CoordinateRounding
 
 /** The step in which coordinates come.
   * \param[in] places a sample of the cloud, hundreds
-  * \return in the unit of the places, the smallest of the three axes; 0 where one of them has no step, as depth images have and
-  * heights over a grid, or where all lie in one place */
+  * \return in the unit of the places, the smallest of the three axes; 0 where one of them has no step, as depth images
+  * have and heights over a grid, or where all lie in one place */
 double
 coordinateStep (const std::vector<Eigen::Vector3d>& places);
 

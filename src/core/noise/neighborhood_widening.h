@@ -10,8 +10,8 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Why neighbourhoods as they are searched do not show the surface, and how much wider they have to be: points lie in layers, on lines, or
-  * the noise is wider than they are apart. */
+/** Why neighbourhoods as they are searched do not show the surface, and how much wider they have to be: points lie in
+  * layers, on lines, or the noise is wider than they are apart. */
 struct Widening
 {
   LayerEstimate layers;
@@ -56,8 +56,8 @@ Widening
 estimateWidening (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
 /** Gives every node as many neighbours as it has, but farther away.
-  * \return null where rows stay as they are: they show the surface, or points are to be projected, or rows differ in length, for
-  * whoever bounds neighbourhoods by a radius means it */
+  * \return null where rows stay as they are: they show the surface, or points are to be projected, or rows differ in
+  * length, for whoever bounds neighbourhoods by a radius means it */
 NeighborGraph::Ptr
 widenNeighborhoods (const NeighborGraph& graph,
                     const Positions& nodes,

@@ -35,7 +35,8 @@ struct SheetSample
   std::size_t nodes_beside = 0;
   /** How far the neighbours of those lie from the tangent planes. */
   std::vector<float> heights;
-  /** How much on one side of those their neighbours on another sheet lie, from 0, all around, to 1, in one direction. */
+  /** How much on one side of those their neighbours on another sheet lie, from 0, all around, to 1, in one direction.
+    * */
   std::vector<float> sides;
 
   void
@@ -45,7 +46,8 @@ struct SheetSample
 /** Places of which the sample is. */
 constexpr std::size_t sheet_sample_size = 1024;
 
-/** \param[in] sample nodes of the graph; what it tells depends on the rows of nodes up to sheet_sample_depth hops off */
+/** \param[in] sample nodes of the graph; what it tells depends on the rows of nodes up to sheet_sample_depth hops off
+  * */
 SheetSample
 sampleSheets (const NeighborGraph& graph,
               const Positions& positions,
@@ -57,8 +59,8 @@ sampleSheets (const NeighborGraph& graph,
 constexpr int sheet_sample_depth = 2;
 
 /** Sheets are seen where the heights have two peaks, that of a node's own sheet and that of another one, and hardly any
-  * points between. The tail of one peak, as detail has it, is none; nor are the layers of coordinates in steps, as depth
-  * cameras give them: where one ends the next begins, and lies beside it, not above.
+  * points between. The tail of one peak, as detail has it, is none; nor are the layers of coordinates in steps, as
+  * depth cameras give them: where one ends the next begins, and lies beside it, not above.
   * \param[in] distance of the sample */
 SheetEstimate
 estimateSheets (const SheetSample& sample, float distance);

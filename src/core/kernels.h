@@ -132,7 +132,8 @@ struct QuadricFitStep
   float* fitted; // out
 };
 
-// How much of a proposed step to take, in four tasks, each of all nodes before the next: see core/rounds/robust_smoothing.h.
+// How much of a proposed step to take, in four tasks, each of all nodes before the next: see
+// core/rounds/robust_smoothing.h.
 
 /** What a step may cost. */
 struct StepGain
@@ -191,12 +192,12 @@ struct KeepApartStep
 };
 
 /** Of a far row, with the node itself. */
-constexpr std::uint32_t far_row_length = 16;
+constexpr std::size_t far_row_length = 16;
 
-/** The rank, in a row of that length, of the neighbour that a slot of a far row goes on from; 0, which is the node itself,
-  * where the row is too short. */
-constexpr std::uint32_t
-seedRank (std::uint32_t slot, std::uint32_t row_length)
+/** The rank, in a row of that length, of the neighbour that a slot of a far row goes on from; 0, which is the node
+  * itself, where the row is too short. */
+constexpr std::size_t
+seedRank (std::size_t slot, std::size_t row_length)
 {
   return row_length >= far_row_length ? slot * row_length / far_row_length : slot < row_length ? slot : 0;
 }

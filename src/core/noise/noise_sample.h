@@ -21,8 +21,8 @@ struct NoiseSample
   /** What quadrics leave about one point. */
   struct Residuals
   {
-    /** Variances, through the 8, 12 and 16 nearest points, or all where there are fewer, as where some of the 16 are copies of others
-      * but for rounding; NaN where these are fewer than seven or all in one place. */
+    /** Variances, through the 8, 12 and 16 nearest points, or all where there are fewer, as where some of the 16 are
+      * copies of others but for rounding; NaN where these are fewer than seven or all in one place. */
     std::array<float, 3> variances;
     /** Of the eighth; 0 where there are fewer. */
     float distance;
@@ -36,7 +36,8 @@ struct NoiseSample
   void
   join (const NoiseSample& part);
 
-  /** Leaves out nodes whose eight nearest lie in one plane exactly: in a layer they tell nothing. \return their number */
+  /** Leaves out nodes whose eight nearest lie in one plane exactly: in a layer they tell nothing. \return their number
+    * */
   std::size_t
   dropPlanes ();
 };

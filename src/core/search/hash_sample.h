@@ -11,8 +11,8 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The places of a cloud with the smallest hashes of their coordinates are its samples: whatever the order of the points, however
-  * many lie in one place, and so that a smaller sample is part of a larger one. */
+/** The places of a cloud with the smallest hashes of their coordinates are its samples: whatever the order of the
+  * points, however many lie in one place, and so that a smaller sample is part of a larger one. */
 class SmallestHashes
 {
 public:
