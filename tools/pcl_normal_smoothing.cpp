@@ -49,7 +49,8 @@ class NormalSmoothingTool : public tools::Tool
   void
   smoothFile (const std::string& input, const std::string& output)
   {
-    if (std::filesystem::is_directory (input))
+    std::error_code error;
+    if (std::filesystem::is_directory (input, error))
       throw tools::FileError (input, "is a folder", "give it with -input_dir, and another with -output_dir");
     const tools::SmoothingResult result =
         job_.smooth (input, output, job_.threads (), tools::progressOnTerminal (), !report_.empty ());

@@ -81,6 +81,21 @@ TEST_F (ForeignFiles, CoordinatesInCapitals)
   expectTheSame (smooth ("a.ply", ply (coordinates ("float", "XYZ")) + points ()), Field::FLOAT32);
 }
 
+TEST_F (ForeignFiles, CoordinatesInCapitalsBesideAnotherX)
+{
+  const std::string count = std::to_string (side * side);
+  for (const char* fields : {"x X Y Z", "y X Y Z"}) {
+    const std::string header =
+        std::string ("FIELDS ") + fields + "\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH " + count + "\nHEIGHT 1\nDATA ascii\n";
+    writeText (path ("a.pcd"), header + points ());
+    for (const char* tool : {"pcl_normal_smoothing a.pcd out.pcd", "pcl_normal_smoothing_tiles plan tiles.d a.pcd"}) {
+      const Ending refused = run (tool);
+      EXPECT_EQ (refused.status, 2) << refused.err;
+      EXPECT_NE (refused.err.find (std::string ("has both ") + fields[0] + " and "), std::string::npos) << refused.err;
+    }
+  }
+}
+
 TEST_F (ForeignFiles, WholeNumbers)
 {
   expectTheSame (smooth ("a.ply", ply (coordinates ("short")) + points ()), Field::FLOAT32);

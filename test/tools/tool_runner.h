@@ -36,7 +36,8 @@ protected:
     return folder_ + "/" + name;
   }
 
-  /** Runs a tool: its name, then its command line, words parted by spaces; names with a dot are in the test's folder. */
+  /** Runs a tool: its name, then its command line, words parted by spaces; names with a dot are in the test's
+    * folder. */
   Ending
   run (const std::string& command) const;
 

@@ -175,9 +175,8 @@ addNoiseOptions (Options& options, SmoothingSettings& settings)
       "-sheet_distance", "D|inf",
       "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds; "
       "inf: all lie on one",
-      "where close sheets are seen 0.36 of their gap, at most min (4 S, 1.2 spacings), S = noise_sigma; where "
-      "layers of a depth camera are: inf; else max (4 S, min (4 largest S, 1.2 spacings)), but inf where 4 largest S "
-      "are more than 3 times that, and for fast",
+      "from the cloud: by the gap where close sheets are seen, inf for layers of a depth camera, else 4 noise_sigma "
+      "and more; for fast inf, but on the lines of a scan; see doc/normal_smoothing.md",
       [&, length] (const std::string& text) {
         text == no_length ? settings.setSheetDistance (std::numeric_limits<double>::infinity ()) : length (text);
       });

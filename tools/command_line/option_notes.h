@@ -9,8 +9,8 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Notes on options that do something else than they seem to: those of the chain that make it run in place of the rounds,
-  * without being told to, and those of the rounds where the chain runs. */
+/** Notes on options that do something else than they seem to: those of the chain that make it run in place of the
+  * rounds, without being told to, and those of the rounds where the chain runs. */
 void
 noteSurprises (const Options& options, const core::SmoothingOptions& method);
 } // namespace tools

@@ -11,8 +11,8 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Runs work side by side, each piece in a process of its own: what goes wrong in one, a lack of memory as well, leaves the
-  * others alone. Processes that this one leaves behind end themselves. To be used before any thread is made. */
+/** Runs work side by side, each piece in a process of its own: what goes wrong in one, a lack of memory as well, leaves
+  * the others alone. Processes that this one leaves behind end themselves. To be used before any thread is made. */
 class ProcessPool
 {
 public:

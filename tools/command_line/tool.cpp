@@ -32,8 +32,8 @@ enum ExitStatus
 
 std::string tool_name;
 
-/** Ends the tool at once, wherever it is: a flag would wait for a long search or a pipe that nobody reads. Only calls that
-  * are safe in a signal handler. */
+/** Ends the tool at once, wherever it is: a flag would wait for a long search or a pipe that nobody reads. Only calls
+  * that are safe in a signal handler. */
 extern "C" void
 endInterrupted (int signal)
 {
@@ -112,6 +112,9 @@ exitStatusOf (const std::string& file, const std::function<void ()>& work)
   }
   catch (const FileError& error) {
     return fail (FILE_TROUBLE, error.what ());
+  }
+  catch (const std::filesystem::filesystem_error& error) {
+    return fail (FILE_TROUBLE, error.path1 ().string () + ": " + error.code ().message () + ": give another path");
   }
   catch (const std::bad_alloc&) {
     return fail (DATA_TROUBLE, file + ": there is not enough memory: give it in parts, or take a smaller k");

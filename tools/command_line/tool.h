@@ -20,7 +20,8 @@ public:
   describe (Options& options) = 0;
 
   /** Called when the command line has been read.
-    * \throw UsageError: exit status 1; FileError: 2; any other exception: 3, with the first file named in the message */
+    * \throw UsageError: exit status 1; FileError: 2; any other exception: 3, with the first file named in the
+    * message */
   virtual void
   work (const Options& options) = 0;
 };

@@ -61,8 +61,8 @@ removeOnInterruption (const std::string& path);
 void
 keepOnInterruption () noexcept;
 
-/** Removes the temporary file of the OutputFile at work, and what removeOnInterruption names. Safe in a signal handler.
-  * */
+/** Removes the temporary file of the OutputFile at work, and what removeOnInterruption names. Safe in a signal
+  * handler. */
 void
 removeTemporaryFile () noexcept;
 } // namespace tools
