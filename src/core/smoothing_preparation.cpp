@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ramp.h"
 
-#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include "smoothing_preparation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,8 @@ constexpr float sheet_spacings = 1.2f;
 constexpr float most_over_sheets = 3;
 // Of the way to another sheet: a point of the own one too few is better than one of the other.
 constexpr float share_of_gap = .36f;
-// The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too large.
+// The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too
+// large.
 constexpr float sheet_noise_factor = 1.4f;
 // Noise as wide as the points are apart is estimated as .7 to .9 of what it is, .8 spacings at most. So from the first
 // ratio to the spacing on sigma is assumed to be larger, from the second on by the factor; at .7 that costs nothing.
@@ -75,18 +76,23 @@ isOneSheet (const SheetDetection& detected, const SmoothingOptions& options)
          (needsSheets (options) || std::isinf (options.rounds.sheet_distance));
 }
 
-/** Sets the distance of the sheets where it is to be estimated. */
+/** Sets the distance of the sheets where it is to be estimated.
+  * \param[in] may_be_one where none are seen, the preset fast does not look for other sheets: it costs time */
 void
-setSheetDistance (const NoiseEstimate& known, const SheetEstimate& sheets, RobustSmoothingOptions& rounds)
+setSheetDistance (const NoiseEstimate& known,
+                  const SheetEstimate& sheets,
+                  bool may_be_one,
+                  RobustSmoothingOptions& rounds)
 {
   float& distance = rounds.sheet_distance;
   if (sheets.gap > 0)
     distance = std::min (sheetScales (known.sigma, known.spacing)[0].distance, share_of_gap * sheets.gap);
   else if (distance < 0)
-    distance = rounds.fast ? std::numeric_limits<float>::infinity () : distanceOfOneSheet (known);
+    distance = rounds.fast && may_be_one ? std::numeric_limits<float>::infinity () : distanceOfOneSheet (known);
 }
 
-/** The estimate where the sheets were separated, from those before and after; that is nothing where too little is left to tell. */
+/** The estimate where the sheets were separated, from those before and after; that is nothing where too little is left
+  * to tell. */
 NoiseEstimate
 chooseNoise (const NoiseEstimate& before, const NoiseEstimate& separated, const SheetEstimate& sheets)
 {
@@ -147,7 +153,7 @@ SmoothingPreparation::complete (SmoothingOptions& options)
   const auto assumed = [hides_noise] (const NoiseEstimate& estimated) {
     return hides_noise ? assumedNoise (estimated) : estimated;
   };
-  setSheetDistance (knownNoise (assumed (noise), options), detected.estimate, options.rounds);
+  setSheetDistance (knownNoise (assumed (noise), options), detected.estimate, !reachOverGaps (), options.rounds);
   if (moves)
     noise = keepToSheets (noise, detected.estimate, needs_sheets, options);
   setNoise (assumed (noise), options);

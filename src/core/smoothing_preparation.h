@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/sheets/sheet_detection.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_separation.h>
+#include "sheets/sheet_detection.h"
+#include "sheets/sheet_separation.h"
 #include <pcl_normal_smoothing/core/smoothing.h>
 
 namespace pcl_normal_smoothing
@@ -39,8 +39,8 @@ protected:
   virtual SheetDetection
   sheets (const SheetScales& scales) = 0;
 
-  /** From now on neighbourhoods keep to one sheet. \return false: none changes, and noise by quadrics would be the same
-    * */
+  /** From now on neighbourhoods keep to one sheet. \return false: none changes, and noise by quadrics would be the
+    * same */
   virtual bool
   separate (const SmoothingOptions& options) = 0;
 
@@ -52,12 +52,19 @@ protected:
   virtual void
   undoSeparation () = 0;
 
-  /** Neighbourhoods are as they were searched, and so show but a part of noise that is as wide as the points are apart.
-    * */
+  /** Neighbourhoods are as they were searched, and so show but a part of noise that is as wide as the points are
+    * apart. */
   virtual bool
   underestimatesWideNoise () const
   {
     return true;
+  }
+
+  /** Neighbourhoods reach over the gaps between the lines of a scan, and so over edges to what lies behind. */
+  virtual bool
+  reachOverGaps () const
+  {
+    return false;
   }
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/smoothing_preparation.h>
-#include <pcl_normal_smoothing/core/whole_cloud.h>
+#include "whole_cloud.h"
+#include "noise/noise_of_sample.h"
+#include "search/hash_sample.h"
+#include "smoothing_preparation.h"
 
 #include <algorithm>
 
@@ -101,6 +101,12 @@ protected:
   underestimatesWideNoise () const override
   {
     return !widening_.isNeeded () && !(widening_.rounding.step > 0);
+  }
+
+  bool
+  reachOverGaps () const override
+  {
+    return widening_.lines.hasLines ();
   }
 
 private:

@@ -27,7 +27,7 @@ axesOfNearest (const Differences& differences, std::size_t count)
     covariance += (differences[j] - mean) * (differences[j] - mean).transpose () / static_cast<double> (count);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect (covariance);
-  return {solver.eigenvalues (), solver.eigenvectors ().col (0)};
+  return {solver.eigenvalues (), solver.eigenvectors ().col (0), solver.eigenvectors ().col (2)};
 }
 
 double

@@ -26,6 +26,15 @@ struct PrincipalAxes
   Eigen::Vector3d variances;
   /** Along which the first is: of the plane through the points. */
   Eigen::Vector3d normal;
+  /** Along which the last is: of the line through the points. */
+  Eigen::Vector3d direction;
+
+  /** The points lie along a line: across it they vary by less than that \a share of their variance along it. */
+  bool
+  areLine (double share) const
+  {
+    return variances[1] < share * variances[2];
+  }
 };
 
 /** Of the \a count nearest. \param[in] differences at least as many */

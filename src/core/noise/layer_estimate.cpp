@@ -4,7 +4,7 @@
 #include "layer_test.h"
 #include "thinned_sample.h"
 
-#include <pcl_normal_smoothing/core/noise/layer_estimate.h>
+#include "layer_estimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,11 @@ constexpr double cosine_of_facing = .77; // 40 degrees: pictures may show things
 constexpr double min_share_flat = .05;   // noise leaves none; a scan of a table with a frayed wall has .1
 // Of those that are flat. On a table that slants, rows of pixels that are a step apart are, too.
 constexpr double min_share_parallel = .12;
-constexpr double min_share_off = .1;  // likewise: have points near that are off their plane
+constexpr double min_share_off = .1;     // likewise: have points near that are off their plane
+constexpr double min_share_between = .5; // of those that see a layer; cameras have .8 and more
+// Likewise: others are the planes in which a scanner takes its lines, one beside the other.
+constexpr double max_share_lines = .6;
+constexpr double surely_line = .2;
 constexpr float max_deviation = .45f; // of half of the steps, as a logarithm: terraces differ more
 
 bool
@@ -104,6 +108,64 @@ areOfCamera (const std::vector<Eigen::Vector3d>& normals,
          isGridOfCamera (graph, nodes, commonNormal (facing), execution);
 }
 
+/** Points that lie in parallel planes with their nearest, and what is around them. */
+class ParallelPlanes
+{
+public:
+  /** \param[in] height of the plane \param[in] is_line the nearest lie on a line */
+  void
+  add (double height, const LayerSurrounding& surrounding, bool is_line)
+  {
+    heights_.push_back (height);
+    off_ += surrounding.is_off ? 1 : 0;
+    if (surrounding.step > 0) {
+      steps_.push_back ({height, surrounding.step});
+      lines_ += is_line ? 1 : 0;
+    }
+  }
+
+  /** Of the points that have some off their plane, those that see a layer next to theirs. */
+  double
+  shareStepped () const
+  {
+    return static_cast<double> (steps_.size ()) / off_;
+  }
+
+  /** \param[in] flat how many points lie in planes, parallel or not */
+  bool
+  areLayers (double flat)
+  {
+    const auto all = static_cast<double> (heights_.size ()), stepped = static_cast<double> (steps_.size ());
+    if (all <= min_share_parallel * flat || off_ <= std::max (min_share_off * flat, min_count_off) ||
+        stepped <= min_share_stepped * off_ || lines_ > max_share_lines * stepped)
+      return false;
+    std::sort (heights_.begin (), heights_.end ());
+    const auto between = std::count_if (steps_.begin (), steps_.end (), [&] (const Step& step) {
+      return hasPlane (step.height, step.size) && hasPlane (step.height, -step.size);
+    });
+    return static_cast<double> (between) > min_share_between * stepped;
+  }
+
+private:
+  struct Step
+  {
+    double height, size;
+  };
+
+  /** Whether one lies about as far from \a height as \a way. */
+  bool
+  hasPlane (double height, double way) const
+  {
+    const auto [low, high] = std::minmax ({height + .6 * way, height + 1.5 * way});
+    const auto next = std::lower_bound (heights_.begin (), heights_.end (), low);
+    return next != heights_.end () && *next < high;
+  }
+
+  std::vector<double> heights_;
+  std::vector<Step> steps_;
+  double off_ = 0, lines_ = 0;
+};
+
 class LayerFinder
 {
 public:
@@ -152,23 +214,21 @@ private:
       if (plane)
         normals.push_back (*plane);
     const Eigen::Vector3d common = commonNormal (normals);
-    double parallel = 0, off = 0, stepped = 0;
+    ParallelPlanes parallel;
     for (std::size_t s = 0; s < planes.size (); ++s)
       if (planes[s] && areParallel (*planes[s], common)) {
         const LayerSurrounding surrounding = layerSurrounding (differences[s], common);
-        parallel += 1;
-        off += surrounding.is_off ? 1 : 0;
-        stepped += surrounding.step > 0 ? 1 : 0;
+        parallel.add (sample_.place (s).dot (common), surrounding,
+                      axesOfNearest (differences[s]).areLine (surely_line));
         if (steps_[s] == 0)
           steps_[s] = static_cast<float> (surrounding.step);
       }
-    const auto all = static_cast<double> (planes.size ()), flat = static_cast<double> (normals.size ());
-    if (flat <= min_share_flat * all || parallel <= min_share_parallel * flat ||
-        off <= std::max (min_share_off * flat, min_count_off) || stepped <= min_share_stepped * off)
+    const auto flat = static_cast<double> (normals.size ());
+    if (flat <= min_share_flat * static_cast<double> (planes.size ()) || !parallel.areLayers (flat))
       return false;
     if (share_stepped_ == 0)
       normals_ = normals;
-    share_stepped_ = std::max (share_stepped_, stepped / off);
+    share_stepped_ = std::max (share_stepped_, parallel.shareStepped ());
     return true;
   }
 

@@ -34,8 +34,8 @@ public:
     ++count_;
   }
 
-  /** There are none, or they lie in one plane, to one side of the node, and not to that where those of its own plane are, as at the
-    * rim of a plate. */
+  /** There are none, or they lie in one plane, to one side of the node, and not to that where those of its own plane
+    * are, as at the rim of a plate. */
   bool
   isNextLayer (const Part& own) const
   {

@@ -19,8 +19,8 @@ struct LayerSurrounding
 {
   /** Some points lie off the plane. */
   bool is_off;
-  /** To the layer that begins where that of the node ends, > 0: points off the plane lie in one more plane above or below, and to
-    * one side. 0: there is none. */
+  /** To the layer that begins where that of the node ends, > 0: points off the plane lie in one more plane above or
+    * below, and to one side. 0: there is none. */
   double step;
 };
 

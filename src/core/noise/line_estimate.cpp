@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "thinned_sample.h"
 
-#include <pcl_normal_smoothing/core/noise/line_estimate.h>
+#include "line_estimate.h"
+#include "line_noise.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -16,23 +19,29 @@ namespace
 constexpr double surely_line = .1;
 constexpr double perhaps_line = .2;
 constexpr double min_share_of_lines = .06;
-// Of the variance across, that out of the plane: nothing but the line and its noise, which lies in the plane of the scan.
+// Of the variance across, that out of the plane: nothing but the line and its noise, which lies in the plane of the
+// scan.
 constexpr double surely_flat = .002;
 constexpr double perhaps_flat = .01;
 constexpr double min_share_flat = .3;
 // Between a facet and the surface that it is a part of lie smaller angles than between a scan and a wall.
 constexpr double max_cosine_to_surface = .7;
 
+// Lines that meet the surface at 60 degrees and more are rays, on which several frames have a point each: their noise is
+// along them. Of a scanner's lines a twentieth seem so, of such frames a fifth and more.
+constexpr double max_cosine_to_line = .5;
+constexpr double max_share_of_rays = .1;
+// Fewer of all points lie on lines by chance, and these are straighter than others; but not as straight as this share of
+// the distance of the eighth nearest.
+constexpr double min_share_on_lines = .2;
+constexpr double straight = 1e-3;
+// Of the noise that lines show: a little more than there is does no harm.
+constexpr double most_of_noise_along = 1.2;
+
 /** How the nearest lie about a node. */
 struct Spread
 {
   explicit Spread (const Differences& differences) : axes (axesOfNearest (differences)) {}
-
-  bool
-  isLine (double share) const
-  {
-    return axes.variances[1] < share * axes.variances[2]; // across, along
-  }
 
   bool
   isFlat (double share) const
@@ -52,7 +61,7 @@ mayHaveLines (const NeighborGraph& graph, const Positions& nodes, const Executio
   std::size_t lines = 0, planes = 0, all = 0;
   for (const Differences& differences : quickSample (graph, nodes, execution)) {
     const Spread spread (differences);
-    lines += spread.isLine (surely_line) ? 1 : 0;
+    lines += spread.axes.areLine (surely_line) ? 1 : 0;
     planes += spread.isFlat (surely_flat) ? 1 : 0;
     ++all;
   }
@@ -70,22 +79,41 @@ public:
   void
   see (const Spread& spread, int halvings)
   {
+    if (halvings == 0) {
+      direction_ = spread.axes.direction;
+      is_thin_ = spread.axes.areLine (perhaps_line);
+    }
     if (is_decided_)
       return;
     if (is_on_line_) {
-      is_on_line_ = spread.isLine (perhaps_line);
+      is_on_line_ = spread.axes.areLine (perhaps_line);
       halvings_ = halvings;
       if (halvings == 0 && !is_on_line_)
         beginFlat (spread);
     }
     if (!is_on_line_)
       is_decided_ = leavesPlane (spread, halvings);
+    surface_ = spread.axes.normal;
   }
 
   float
   halvings () const
   {
     return static_cast<float> (halvings_);
+  }
+
+  /** It was a line from the start, without noise as wide as its points are apart. */
+  bool
+  isThin () const
+  {
+    return is_thin_;
+  }
+
+  /** The line lies in the surface, and is no ray. */
+  bool
+  isInSurface () const
+  {
+    return std::abs (direction_.dot (surface_)) < max_cosine_to_line;
   }
 
 private:
@@ -109,14 +137,43 @@ private:
   }
 
   int halvings_ = 0;
+  Eigen::Vector3d direction_; // of the nearest, from the start
+  Eigen::Vector3d surface_;   // its normal, as the last halving that was looked at shows it
+  bool is_thin_ = false;
   bool is_on_line_ = true;
   bool is_decided_ = false;
   Eigen::Vector3d normal_ =
       Eigen::Vector3d::Zero (); // of the plane in which a point lies from the start; none of a line
 };
+
+/** \param[in] unthinned, ends of the same nodes
+  * \param[in] reach median distance of the eighth nearest */
+float
+mostSigma (const std::vector<Differences>& unthinned, const std::vector<LineEnd>& ends, float reach)
+{
+  std::vector<Differences> on_lines;
+  std::size_t thin = 0, rays = 0;
+  for (std::size_t s = 0; s < ends.size (); ++s) {
+    if (!(ends[s].halvings () > 0))
+      continue;
+    on_lines.push_back (unthinned[s]);
+    if (!ends[s].isThin ())
+      continue;
+    thin += 1;
+    rays += ends[s].isInSurface () ? 0 : 1;
+  }
+  if (static_cast<double> (rays) > max_share_of_rays * static_cast<double> (thin))
+    return std::numeric_limits<float>::infinity ();
+  const double noise = noiseAlongLines (on_lines);
+  const bool by_chance =
+      static_cast<double> (on_lines.size ()) < min_share_on_lines * static_cast<double> (ends.size ()) &&
+      noise > straight * reach;
+  return by_chance ? std::numeric_limits<float>::infinity () : static_cast<float> (most_of_noise_along * noise);
+}
+
 } // namespace
 
-RegionalField
+LineEstimate
 estimateLines (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   const Execution still = execution.still ();
@@ -125,12 +182,15 @@ estimateLines (const NeighborGraph& graph, const Positions& nodes, const Executi
   const ThinnedSample sample (graph, nodes, still);
   std::vector<LineEnd> ends (sample.size ());
   float reach = 0;
+  std::vector<Differences> unthinned;
   for (int halvings = 0; halvings < sample.levelCount (); ++halvings) {
     const std::vector<Differences> differences = sample.differencesAfter (halvings);
     for (std::size_t s = 0; s < differences.size (); ++s)
       ends[s].see (Spread (differences[s]), halvings);
-    if (halvings == 0)
+    if (halvings == 0) {
       reach = medianReach (differences);
+      unthinned = differences;
+    }
   }
   std::vector<float> halvings;
   for (const LineEnd& end : ends)
@@ -139,7 +199,9 @@ estimateLines (const NeighborGraph& graph, const Positions& nodes, const Executi
     return {};
   RegionalField field = regionalMedians (sample.atPlaces (halvings), reach);
   const auto wide = [] (const RegionalField::Region& region) { return region.value > .5f; };
-  return std::any_of (field.regions.begin (), field.regions.end (), wide) ? field : RegionalField ();
+  if (std::none_of (field.regions.begin (), field.regions.end (), wide))
+    return {};
+  return {std::move (field), mostSigma (unthinned, ends, reach)};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

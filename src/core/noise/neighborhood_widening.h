@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/noise/coordinate_rounding.h>
-#include <pcl_normal_smoothing/core/noise/layer_estimate.h>
-#include <pcl_normal_smoothing/core/noise/line_estimate.h>
-#include <pcl_normal_smoothing/core/noise/wide_noise.h>
+#include "coordinate_rounding.h"
+#include "layer_estimate.h"
+#include "line_estimate.h"
+#include "wide_noise.h"
 
 namespace pcl_normal_smoothing
 {
@@ -16,7 +16,7 @@ struct Widening
 {
   LayerEstimate layers;
   /** See estimateLines; where there are layers, none are looked for. */
-  RegionalField lines;
+  LineEstimate lines;
   /** See estimateWideNoise; where there are layers or lines, none is looked for. */
   WideNoise wide_noise;
   /** Hides noise likewise, but calls for no wider neighbourhoods. */
@@ -46,7 +46,7 @@ struct Widening
   const RegionalField&
   halvings () const
   {
-    return layers.hasLayers () ? layers.halvings : lines.regions.empty () ? wide_noise.halvings : lines;
+    return layers.hasLayers () ? layers.halvings : lines.hasLines () ? lines.halvings : wide_noise.halvings;
   }
 };
 

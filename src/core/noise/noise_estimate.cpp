@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../quantile.h"
+#include "../spacing.h"
+#include "noise_of_sample.h"
 #include "residual_quantiles.h"
 #include "thinned_noise.h"
-
-#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,6 @@ namespace core
 {
 namespace
 {
-constexpr double pi = 3.14159265358979;
-
-double
-spacingOf (double distance_of_eighth)
-{
-  return distance_of_eighth * std::sqrt (pi / 8);
-}
-
 /** A quadric follows the more of the noise the larger it is against the spacing: a factor of sigma.
   * \param[in] ratio of sigma, as it is read, to the spacing */
 double
@@ -30,8 +22,8 @@ whatQuadricsFollow (double ratio)
   return 1 + .3 * ratio + 1.2 * ratio * ratio;
 }
 
-/** How much too small quadrics make the noise look, by the ratio of the sigma that there is: of a point, not of the usual one, and
-  * on the large side. */
+/** How much too small quadrics make the noise look, by the ratio of the sigma that there is: of a point, not of the
+  * usual one, and on the large side. */
 double
 whatDensityHides (double ratio)
 {
@@ -50,14 +42,14 @@ correctionsOf (const NoiseSample& sample, const NoiseEstimate& noise)
   Factors factors;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes) {
     const double local = noise.field.factorAt (residuals.place);
-    const double hidden = whatDensityHides (noise.sigma * local / spacingOf (residuals.distance)) / usual;
+    const double hidden = whatDensityHides (noise.sigma * local / (spacing_of_eighth * residuals.distance)) / usual;
     factors.push_back ((residuals.distance > 0 ? hidden : 1) / local); // copies of a point have no density
   }
   return factors;
 }
 
-/** Calls \a use (place, variance) for all neighbourhoods of one size, the variances corrected; not for those that are too short to
-  * have one. */
+/** Calls \a use (place, variance) for all neighbourhoods of one size, the variances corrected; not for those that are
+  * too short to have one. */
 template <typename Use>
 void
 forEachVariance (const NoiseSample& sample, const Factors& factors, std::size_t size, const Use& use)
@@ -77,8 +69,8 @@ corrected (const NoiseSample& sample, const Factors& factors)
   return variances;
 }
 
-/** How points lie on the surface: scattered all over it, perhaps in clumps here and there, or along the lines of a scanner,
-  * with gaps between these. */
+/** How points lie on the surface: scattered all over it, perhaps in clumps here and there, or along the lines of a
+  * scanner, with gaps between these. */
 enum class Pattern
 {
   SCATTERED,
@@ -131,7 +123,7 @@ estimateNoise (const NoiseSample& sample, Pattern pattern)
   for (const NoiseSample::Residuals& residuals : sample.of_nodes)
     if (residuals.distance > 0)
       distances.push_back (residuals.distance);
-  const double spacing = spacingOf (quantile (distances, .5));
+  const double spacing = spacing_of_eighth * quantile (distances, .5);
   if (!(spacing > 0) || sample.short_rows > 3 * sample.of_nodes.size ())
     return {};
   NoiseEstimate noise;
@@ -198,8 +190,8 @@ estimateNoise (const NoiseSample& sample, const Widening& widening)
 {
   if (widening.layers.hasLayers ())
     return noiseInLayers (sample, widening.layers);
-  NoiseEstimate noise =
-      estimateNoise (sample, !widening.lines.regions.empty () ? Pattern::SCAN_LINES : Pattern::CLUMPED);
+  NoiseEstimate noise = estimateNoise (sample, widening.lines.hasLines () ? Pattern::SCAN_LINES : Pattern::CLUMPED);
+  noise.sigma = std::min (noise.sigma, widening.lines.most_sigma);
   noise.sigma = widening.wide_noise.sigma > 0 ? widening.wide_noise.sigma : widening.rounding.atLeast (noise.sigma);
   if (widening.projects () ||
       !widening.wide_noise.is_everywhere) // the sample is of points that moved, or of rows that differ

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "thinned_sample.h"
 
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/search/thinned_cloud.h>
+#include "../search/hash_sample.h"
+#include "../search/thinned_cloud.h"
+#include "noise_sample.h"
 
 #include <array>
 
@@ -13,7 +14,6 @@ namespace core
 namespace
 {
 constexpr std::size_t quick_sample_size = 512;
-constexpr std::size_t sample_size = 4096;
 constexpr std::uint32_t row_length = 32;
 constexpr std::size_t least_size = 1000; // of the thinnest cloud
 
@@ -40,7 +40,7 @@ ThinnedSample::ThinnedSample (const NeighborGraph& graph, const Positions& nodes
 : graph_ (graph)
 , nodes_ (nodes)
 , execution_ (execution)
-, nodes_of_sample_ (sampleNodes (nodes, sample_size, execution))
+, nodes_of_sample_ (sampleNodes (nodes, noise_sample_size, execution))
 , level_count_ (ThinnedCloud::mostHalvings (nodes.size (), least_size) + 1)
 {}
 

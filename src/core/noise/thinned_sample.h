@@ -14,7 +14,8 @@ namespace core
 std::vector<Differences>
 quickSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
-/** What neighbourhoods as they are, and wider ones, show at a sample of a cloud: the nearest in all of it, in half of it, a quarter ... */
+/** What neighbourhoods as they are, and wider ones, show at a sample of a cloud: the nearest in all of it, in half of
+  * it, a quarter ... */
 class ThinnedSample
 {
 public:
@@ -38,6 +39,13 @@ public:
   /** From the points of the sample to the 32 nearest where so many halvings thin the cloud; filled up with zeros. */
   std::vector<Differences>
   differencesAfter (int halvings) const;
+
+  /** Of a point of the sample. */
+  Eigen::Vector3d
+  place (std::size_t s) const
+  {
+    return (nodes_.base[nodes_of_sample_[s]] + nodes_.offset[nodes_of_sample_[s]]).cast<double> ();
+  }
 
   /** \param[in] values one for every point of the sample */
   std::vector<LocalValue>

@@ -3,7 +3,7 @@
 
 #include "searched.h"
 
-#include <pcl_normal_smoothing/core/noise/layer_estimate.h>
+#include <core/noise/layer_estimate.h>
 
 #include <cmath>
 

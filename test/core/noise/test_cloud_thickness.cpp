@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "noise/wide_clouds.h"
 
-#include <pcl_normal_smoothing/core/noise/cloud_thickness.h>
+#include <core/noise/cloud_thickness.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "searched.h"
 #include "smoothed.h"
 
-#include <pcl_normal_smoothing/core/noise/coordinate_rounding.h>
+#include <core/noise/coordinate_rounding.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "searched.h"
 #include "smoothed.h"
 
-#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
+#include <core/noise/neighborhood_widening.h>
 
 #include <gtest/gtest.h>
 
@@ -23,11 +23,39 @@ lidar (double noise, double degrees_between_lines = 2)
   return ScannedRoom (15, degrees_between_lines, .25, noise).points;
 }
 
+/** What a profiler above a ball sees, whose lines are five times as far apart as their points: each lies in a plane
+  * exactly. The spacing is 1, the noise goes along the rays. */
+constexpr double ball_radius = 56;
+
+Vectors
+profiles (double noise)
+{
+  constexpr double along = 0.447, across = 5 * along, rim = 0.9 * ball_radius;
+  Vectors points;
+  std::uint64_t number = 0;
+  for (double x = -rim; x < rim; x += across)
+    for (double y = -rim; y < rim; y += along)
+      if (const double sq_radius = x * x + y * y; sq_radius < rim * rim) {
+        const double z = std::sqrt (ball_radius * ball_radius - sq_radius) + noise * gaussianNoise (12, number++);
+        points.emplace_back (static_cast<float> (x), static_cast<float> (y), static_cast<float> (z));
+      }
+  return points;
+}
+
+double
+meanDistanceToBall (const Vectors& points)
+{
+  double sum = 0;
+  for (const auto& p : points)
+    sum += std::abs (p.cast<double> ().norm () - ball_radius);
+  return sum / static_cast<double> (points.size ());
+}
+
 RegionalField
 linesOf (const Vectors& points, unsigned threads = 2)
 {
   const Searched cloud (points);
-  return estimateLines (*cloud.graph, cloud.nodes, Execution (threads));
+  return estimateLines (*cloud.graph, cloud.nodes, Execution (threads)).halvings;
 }
 
 bool
@@ -133,6 +161,42 @@ TEST (LinesTest, WithoutNoiseNothingMoves)
     ASSERT_LT (displacement.norm (), 0.002);
 }
 
+TEST (LinesTest, WhatIsBetweenTheLinesOfAProfilerIsNoNoise)
+{
+  for (const double noise : {0.02, 0.1}) {
+    const Searched cloud (profiles (noise));
+    const NoiseEstimate read = estimateNoise (*cloud.graph, cloud.nodes, Execution (2));
+    EXPECT_GT (read.sigma, 0.5 * noise) << noise;
+    EXPECT_LT (read.sigma, 1.5 * noise) << noise;
+  }
+}
+
+TEST (LinesTest, PointsOnRaysAreNoLinesOfAProfiler)
+{
+  Vectors points;
+  for (int frame = 0; frame < 12; ++frame)
+    for (double x = -0.5; x < 0.5; x += 0.02)
+      for (double y = -0.5; y < 0.5; y += 0.02) {
+        const double range = 2 + 0.05 * gaussianNoise (13 + static_cast<std::uint64_t> (frame), points.size ());
+        points.push_back ((range * Eigen::Vector3d (x, y, 1)).cast<float> ());
+      }
+  const Searched cloud (points);
+  const LineEstimate lines = estimateLines (*cloud.graph, cloud.nodes, Execution (2));
+  EXPECT_TRUE (lines.hasLines ()) << "the test is of no use";
+  EXPECT_TRUE (std::isinf (lines.most_sigma));
+}
+
+TEST (LinesTest, BehindTheGapsMayBeOtherSheets)
+{
+  for (const bool are_lines : {false, true}) {
+    Searched cloud (are_lines ? lidar (0.01) : ScannedRoom (60, 1, 1, 0.01).points);
+    SmoothingOptions fast = wideningOptions (true);
+    NeighborGraph::ConstPtr graph = cloud.graph;
+    prepareSmoothing ({}, Execution (2), graph, fast, cloud.nodes);
+    EXPECT_EQ (std::isfinite (fast.rounds.sheet_distance), are_lines);
+  }
+}
+
 class LinesPresets : public testing::TestWithParam<bool>
 {};
 
@@ -148,6 +212,16 @@ TEST_P (LinesPresets, LinesAreSmoothedAcross)
     options.widen_neighborhoods = false;
     const Vectors stuck = sum (points, smoothed (asPositions (points), k, options).displacements);
     EXPECT_GT (ScannedRoom::error (stuck), 0.9 * before) << noise << ": the test is of no use";
+  }
+}
+
+TEST_P (LinesPresets, ProfilesOfABallAreSmoothed)
+{
+  const std::uint32_t k = GetParam () ? 16 : 32;
+  for (const double noise : {0.0, 0.02, 0.1}) {
+    const Vectors points = profiles (noise);
+    const Vectors moved = sum (points, smoothed (asPositions (points), k, wideningOptions (GetParam ())).displacements);
+    EXPECT_LE (meanDistanceToBall (moved), std::max (0.4 * meanDistanceToBall (points), 1e-4)) << noise;
   }
 }
 

@@ -2,9 +2,9 @@
 #include "noise/scanned_room.h"
 #include "shapes.h"
 
+#include <core/noise/noise_sample.h>
+#include <core/search/hash_sample.h>
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
-#include <pcl_normal_smoothing/core/noise/noise_sample.h>
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
 
 #include <gtest/gtest.h>
 

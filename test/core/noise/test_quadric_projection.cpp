@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "searched.h"
 
-#include <pcl_normal_smoothing/core/noise/quadric_projection.h>
+#include <core/noise/quadric_projection.h>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include "smoothed.h"
 
 #include <core/noise/differences.h>
-#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
-#include <pcl_normal_smoothing/core/whole_cloud.h>
+#include <core/noise/neighborhood_widening.h>
+#include <core/whole_cloud.h>
 
 #include <gtest/gtest.h>
 

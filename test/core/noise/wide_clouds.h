@@ -3,7 +3,7 @@
 
 #include "searched.h"
 
-#include <pcl_normal_smoothing/core/noise/wide_noise.h>
+#include <core/noise/wide_noise.h>
 
 #include <cmath>
 
@@ -86,7 +86,8 @@ leaves (std::uint64_t count)
   return points;
 }
 
-/** What a depth camera of 240 x 240 pixels sees of a wall at a distance of \a near, and in a quarter of them of one at \a far. */
+/** What a depth camera of 240 x 240 pixels sees of a wall at a distance of \a near, and in a quarter of them of one at
+  * \a far. */
 inline Vectors
 twoWalls (double near, double far)
 {
