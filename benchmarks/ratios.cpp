@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Times the whole smoothing beside what PCL users pay already, all in one run on one cloud in random order, taking turns,
-// and prints a table of ratios with accuracy: ./ratios [points] [repetitions] [points of the large cloud, 0 = none]
+// Times the whole smoothing beside what PCL users pay already, all in one run on one cloud in random order, taking
+// turns, and prints a table of ratios with accuracy: ./ratios [points] [repetitions] [points of the large cloud, 0 =
+// none]
 #include "clouds.h"
 #include "timing.h"
 

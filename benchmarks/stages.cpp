@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Google Benchmark of every stage: ./stages [--benchmark_filter=regex]. Beside the time: nanoseconds a point, and an edge
-// and core, where an edge is one neighbour of one point.
+// Google Benchmark of every stage: ./stages [--benchmark_filter=regex]. Beside the time: nanoseconds a point, and an
+// edge and core, where an edge is one neighbour of one point.
 #include "clouds.h"
 
+#include <core/search/node_blocks.h>
+#include <core/sheets/sheet_separation.h>
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_separation.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A normal filter with a weight of one's own, in the place of the paper's: the arrays of `core`, without a class of PCL's.
+// A normal filter with a weight of one's own, in the place of the paper's: the arrays of `core`, without a class of
+// PCL's.
 #include <pcl_normal_smoothing/core/chain/point_update.h>
 #include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
 #include <pcl_normal_smoothing/run_settings.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a raw scan to a mesh: smooth, take the normals that come with it, triangulate greedily. doc/tutorial.md explains it.
-// usage: scan_to_mesh [scan.pcd mesh.ply]        without files: a scan of waves, whose mesh is judged
+// From a raw scan to a mesh: smooth, take the normals that come with it, triangulate greedily. doc/tutorial.md explains
+// it. usage: scan_to_mesh [scan.pcd mesh.ply] without files: a scan of waves, whose mesh is judged
 #include <pcl_normal_smoothing/normal_smoothing.h>
 
 #include <pcl/features/normal_3d.h>

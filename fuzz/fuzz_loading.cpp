@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The loading path of the tools under libFuzzer: any bytes are a cloud or a mesh, or a FileError or core::Error, and never
-// anything else.
+// The loading path of the tools under libFuzzer: any bytes are a cloud or a mesh, or a FileError or core::Error, and
+// never anything else.
 #include "clouds/cloud_graph.h"
 #include "files/tool_error.h"
 #include "meshes/mesh_io.h"

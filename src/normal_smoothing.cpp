@@ -12,33 +12,17 @@ namespace pcl_normal_smoothing
 {
 namespace
 {
-constexpr const char* missing_normals = "the cloud has no fields normal_x, normal_y, normal_z of type float or double";
-
-VectorLayout
-requireLayout (const pcl::PCLPointCloud2& cloud, const std::array<std::string, 3>& names, const std::string& otherwise)
-{
-  const auto layout = VectorLayout::find (cloud, names);
-  if (!layout)
-    throw core::Error (otherwise);
-  return *layout;
-}
-
 /** \throw core::Error where the data ends before the last point */
 void
 requireData (const pcl::PCLPointCloud2& cloud)
 {
   const std::size_t points_of_row = std::size_t (cloud.width) * cloud.point_step;
-  const std::size_t row = std::max<std::size_t> (cloud.row_step, points_of_row);
-  if (cloud.height > 0 && cloud.data.size () < (cloud.height - 1) * row + points_of_row)
+  const std::size_t row = std::max<std::size_t> ({cloud.row_step, points_of_row, 1});
+  const std::size_t size = cloud.data.size (); // divided, as products of what a damaged header claims may wrap
+  if (cloud.height > 0 && (size < points_of_row || (size - points_of_row) / row < cloud.height - 1))
     throw core::Error ("the cloud has " + std::to_string (cloud.data.size ()) + " bytes of data, too few for " +
                        std::to_string (cloud.width) + " x " + std::to_string (cloud.height) + " points of " +
                        std::to_string (cloud.point_step) + " bytes: it is truncated, load it anew");
-}
-
-VectorLayout
-requireNormals (const pcl::PCLPointCloud2& cloud, const std::string& advice)
-{
-  return requireLayout (cloud, {"normal_x", "normal_y", "normal_z"}, missing_normals + advice);
 }
 
 /** The cloud for a search object. */
@@ -71,16 +55,16 @@ NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
   const core::SmoothingOptions options = this->options ();
   const std::size_t size = std::size_t (input_->width) * input_->height;
   const VectorLayout layout =
-      requireLayout (*input_, {"x", "y", "z"},
-                     "the cloud has no fields x, y, z that are all float or all double: it cannot be smoothed");
+      VectorLayout::require (*input_, position_fields, "give a cloud of points, or rename and convert its fields");
   requireData (*input_);
   std::optional<VectorView> normals;
   if (options.normals == NormalSource::INPUT)
-    normals = VectorView {requireNormals (*input_, ": estimate normals first, or choose another normal source"),
+    normals = VectorView {VectorLayout::require (*input_, normal_fields,
+                                                 "estimate normals first, or choose another normal source"),
                           input_->data.data (), size};
   std::optional<VectorLayout> saved_normals;
   if (save_normals_)
-    saved_normals = requireNormals (*input_, ": add them before setSaveNormals");
+    saved_normals = VectorLayout::require (*input_, normal_fields, "add them before setSaveNormals");
 
   SmoothingRun run (options, {layout, input_->data.data (), size}, *indices_, execution ().silent ());
   pcl::PointCloud<pcl::PointXYZ>::Ptr searched;

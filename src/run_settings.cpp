@@ -4,9 +4,7 @@
 
 #include <pcl/console/print.h>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <new>
 
 namespace pcl_normal_smoothing
@@ -59,20 +57,12 @@ RunSettings::fittingGraph (const core::Positions& cloud, bool may_join) const
   return neighbor_graph_;
 }
 
-std::string
-lengthText (double length)
-{
-  std::array<char, 32> text;
-  std::snprintf (text.data (), text.size (), "%g", length);
-  return text.data ();
-}
-
 float
 floatLength (double length, const std::string& name, const std::string& setter)
 {
   const auto result = static_cast<float> (length);
   if ((result == 0 && length != 0) || (std::isinf (result) && !std::isinf (length)))
-    throw core::Error (name + " is " + lengthText (length) + ", which float cannot hold: give " + setter +
+    throw core::Error (name + " is " + core::numberText (length) + ", which float cannot hold: give " + setter +
                        " one from 1e-38 to 1e38, and the cloud in a unit that fits it");
   return result;
 }
@@ -83,12 +73,12 @@ makeNeighborQuery (int k, double radius, double max_distance)
   if (k < 0)
     throw core::Error ("k is " + std::to_string (k) + ": give setKSearch a positive number of neighbours");
   if (!(radius >= 0) || std::isinf (radius))
-    throw core::Error ("the radius is " + lengthText (radius) + ": give setRadiusSearch a positive length");
+    throw core::Error ("the radius is " + core::numberText (radius) + ": give setRadiusSearch a positive length");
   if (!(max_distance >= 0))
-    throw core::Error ("the maximal neighbour distance is " + lengthText (max_distance) +
+    throw core::Error ("the maximal neighbour distance is " + core::numberText (max_distance) +
                        ": give setMaxNeighborDistance a positive length, or 0 for no limit");
   if (k > 0 && radius > 0)
-    throw core::Error ("both k (" + std::to_string (k) + ") and a radius (" + lengthText (radius) +
+    throw core::Error ("both k (" + std::to_string (k) + ") and a radius (" + core::numberText (radius) +
                        ") are set: set one of them to 0, or use setMaxNeighborDistance to limit k");
   if (k == 0 && radius == 0)
     throw core::Error ("neither k nor a radius is set: call setKSearch or setRadiusSearch");

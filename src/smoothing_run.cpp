@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/whole_cloud.h>
+#include "core/whole_cloud.h"
 #include <pcl_normal_smoothing/smoothing_run.h>
 
 #include <cmath>

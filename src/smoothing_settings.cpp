@@ -54,7 +54,7 @@ void
 checkLength (const std::optional<double>& set, const std::string& name, const std::string& setter, bool finite = true)
 {
   if (set && (!(*set >= 0) || (finite && std::isinf (*set))))
-    throw core::Error (name + " is " + lengthText (*set) + ": give " + setter +
+    throw core::Error (name + " is " + core::numberText (*set) + ": give " + setter +
                        " a length of at least 0, or do not call it and have it estimated");
 }
 } // namespace

@@ -2,14 +2,33 @@
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 
+#include <pcl/common/io.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace pcl_normal_smoothing
 {
+const VectorFields position_fields {"x", "y", "z"};
+const VectorFields normal_fields {"normal_x", "normal_y", "normal_z"};
+
+namespace
+{
+/** Names, types and sizes in bytes, as the header of a PCD file has them. */
+std::string
+fieldsOf (const pcl::PCLPointCloud2& cloud)
+{
+  std::string list;
+  for (const pcl::PCLPointField& field : cloud.fields)
+    list += (list.empty () ? "" : ", ") + field.name + " " + pcl::getFieldType (field.datatype) +
+            std::to_string (pcl::getFieldSize (field.datatype));
+  return list.empty () ? "none" : list;
+}
+} // namespace
+
 std::optional<VectorLayout>
-VectorLayout::find (const pcl::PCLPointCloud2& cloud, const std::array<std::string, 3>& names)
+VectorLayout::find (const pcl::PCLPointCloud2& cloud, const VectorFields& names)
 {
   Offsets offsets {};
   std::array<std::uint8_t, 3> types {};
@@ -36,9 +55,20 @@ VectorLayout::find (const pcl::PCLPointCloud2& cloud, const std::array<std::stri
   return layout;
 }
 
+VectorLayout
+VectorLayout::require (const pcl::PCLPointCloud2& cloud, const VectorFields& names, const std::string& advice)
+{
+  const auto layout = find (cloud, names);
+  if (!layout)
+    throw core::Error ("the cloud has no fields " + names[0] + ", " + names[1] + ", " + names[2] +
+                       " that are all float or all double, but " + fieldsOf (cloud) + ": " + advice);
+  return *layout;
+}
+
 namespace
 {
-/** At least half of the points lie within this distance of the middle one, along each axis: a few far off do not count. */
+/** At least half of the points lie within this distance of the middle one, along each axis: a few far off do not
+  * count. */
 double
 typicalExtent (const std::vector<Eigen::Vector3d>& sample)
 {

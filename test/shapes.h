@@ -25,8 +25,8 @@ struct Shape
 Shape
 planeGrid (int side, float spacing);
 
-/** A plate with grooves four wide and one deep, every \a pitch, as if it were paper on which 10,000 points are spread evenly, one on a
-  * unit of area, and that was folded then. */
+/** A plate with grooves four wide and one deep, every \a pitch, as if it were paper on which 10,000 points are spread
+  * evenly, one on a unit of area, and that was folded then. */
 Shape
 groovedPlate (double pitch);
 

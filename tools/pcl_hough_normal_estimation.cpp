@@ -22,8 +22,9 @@ class HoughNormalEstimationTool : public tools::Tool
     search_.addTo (options, std::to_string (standard_k));
     options.add ("-confidence", "A", "probability with which the votes come close to their distribution, 0 to 1",
                  "0.95", shareOption (hough_.confidence));
-    options.add ("-tolerance", "D", "how close they come, 0 to 1; the number of votes grows with its inverse square",
-                 "0.08", shareOption (hough_.tolerance));
+    options.add ("-tolerance", "D",
+                 "how close they come, 0.001 to 1; the number of votes grows with its inverse square", "0.08",
+                 shareOption (hough_.tolerance));
     options.add ("-bands", "N", "bands of the accumulator between its poles", std::to_string (hough_.bands),
                  tools::integerOption (2, 1000, [this] (auto number) { hough_.bands = static_cast<int> (number); }));
     options.add ("-rotations", "N", "randomly rotated accumulators", std::to_string (hough_.rotations),

@@ -3,8 +3,6 @@
 #include "command_line/common_options.h"
 #include "command_line/tool.h"
 
-#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
-
 #include <cstdio>
 
 using namespace pcl_normal_smoothing;
@@ -25,12 +23,8 @@ class SurfaceNoiseEstimationTool : public tools::Tool
   work (const tools::Options& options) override
   {
     const tools::CloudFile file = tools::loadInput (options.file (0));
-    const core::Execution execution (threads_, tools::progressOnTerminal ());
-    core::NeighborQuery query {core::noise_row_length};
-    query.distinct = true;
-    const tools::CloudGraph cloud = tools::searchNeighbors (file, query, execution.part (0, 0.9));
     const core::NoiseEstimate noise =
-        core::estimateNoise (*cloud.graph, cloud.nodes, execution.part (0.9, 1)).inCloudUnit (cloud.nodes.unit);
+        tools::estimateNoise (file, core::Execution (threads_, tools::progressOnTerminal ()));
     if (!(noise.spacing > 0)) {
       std::printf ("no noise to be seen: neighbourhoods have fewer than 8 points or no extent\n");
       return;

@@ -17,8 +17,8 @@ struct Measures
 
   /** E_A of the paper: |A1 - A0| / A0, the areas of the mesh with its vertices at the points and of the clean one. */
   double area_error = none;
-  /** E_k of the paper: mean absolute difference of the surface variation, k counting the point itself, neighbours searched
-    * anew in each cloud. */
+  /** E_k of the paper: mean absolute difference of the surface variation, k counting the point itself, neighbours
+    * searched anew in each cloud. */
   double variation_error_7 = none, variation_error_15 = none, variation_error_21 = none;
   /** Distance of the points to the clean mesh. */
   double p2s_mean = none, p2s_rms = none, p2s_max = none;
@@ -29,10 +29,11 @@ struct Measures
   /** Mean angle, whatever the signs, of the normals by PCA (k 15) of the points to those of the clean mesh's vertices,
     * in degrees. The same for every method, whether it has normals of its own or not. */
   double normal_angle = none;
-  /** Of the points whose vertices are within half a mean edge length of a sharp edge (more than 30 degrees): the mean distance
-    * to the mesh, and the share that ends farther from it than 0.1. */
+  /** Of the points whose vertices are within half a mean edge length of a sharp edge (more than 30 degrees): the mean
+    * distance to the mesh, and the share that ends farther from it than 0.1. */
   double edge_error = none, edge_fraction = none;
-  /** 1st percentile of the distances to the nearest other point, over that of the noisy cloud: below 1 where points clump. */
+  /** 1st percentile of the distances to the nearest other point, over that of the noisy cloud: below 1 where points
+    * clump. */
   double spacing_p01 = none;
   /** Distance to the exact surface of a made model, and its mean over that of the noisy cloud. */
   double exact_mean = none, exact_ratio = none;

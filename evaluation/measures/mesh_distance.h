@@ -8,8 +8,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Distances to a triangle mesh, by CGAL's AABB tree: with the vertex that a point stems from as a hint it takes a fifth of
-  * the time of the cell locator of VTK that pcl_smoothing_error uses (3 against 15 microseconds). */
+/** Distances to a triangle mesh, by CGAL's AABB tree: with the vertex that a point stems from as a hint it takes a
+  * fifth of the time of the cell locator of VTK that pcl_smoothing_error uses (3 against 15 microseconds). */
 class MeshDistance
 {
 public:

@@ -20,8 +20,6 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Segments = std::vector<Kernel::Segment_3>;
 using Primitive = CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator>;
 
-constexpr double pi = 3.14159265358979324;
-
 Kernel::Point_3
 toCgal (const Eigen::Vector3d& p)
 {
@@ -41,7 +39,7 @@ verticesNearSharpEdges (const tools::Mesh& mesh, double degrees, double reach)
 {
   Segments segments;
   for (const tools::MeshEdge& edge : tools::edgesOf (mesh))
-    if (normalOf (mesh, edge.left).dot (normalOf (mesh, edge.right)) < std::cos (degrees * pi / 180))
+    if (normalOf (mesh, edge.left).dot (normalOf (mesh, edge.right)) < std::cos (degrees * M_PI / 180))
       segments.emplace_back (toCgal (mesh.vertices[edge.a]), toCgal (mesh.vertices[edge.b]));
   std::vector<std::uint32_t> near;
   if (segments.empty ())

@@ -17,9 +17,9 @@ struct ImplicitSurface
 Eigen::Vector3d
 projectedTo (const ImplicitSurface& surface, Eigen::Vector3d point);
 
-/** The distance of \a point to the surface, numerically: the foot point slides along the tangent plane until the connection
-  * is along the normal. For points nearer than the radius of curvature, as those of a noisy cloud are; the distance to
-  * some point of the surface, not always the nearest, beyond. NaN where that finds none. */
+/** The distance of \a point to the surface, numerically: the foot point slides along the tangent plane until the
+  * connection is along the normal. For points nearer than the radius of curvature, as those of a noisy cloud are; the
+  * distance to some point of the surface, not always the nearest, beyond. NaN where that finds none. */
 double
 distanceTo (const ImplicitSurface& surface, const Eigen::Vector3d& point);
 

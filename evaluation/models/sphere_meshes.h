@@ -14,8 +14,8 @@ makeSphere (int times);
 const ImplicitSurface&
 bumpyBall ();
 
-/** The bumpy ball, of vertices spread as unevenly as those of a scan: four times as far apart at the bottom as at the top,
-  * and shifted at random. */
+/** The bumpy ball, of vertices spread as unevenly as those of a scan: four times as far apart at the bottom as at the
+  * top, and shifted at random. */
 tools::Mesh
 makeUnevenBall (int times);
 

@@ -6,8 +6,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Cuts every triangle into four at the middles of its edges. The vertices stay, with one more for each edge behind them,
-  * in the order in which the triangles come to their edges. */
+/** Cuts every triangle into four at the middles of its edges. The vertices stay, with one more for each edge behind
+  * them, in the order in which the triangles come to their edges. */
 void
 subdivide (tools::Mesh& mesh);
 

@@ -91,7 +91,8 @@ firstPlace (const Point& x, const BallSearch& points, double h)
   return x + mean.value ();
 }
 
-/** X^(k+1) of X^(k), the fixed-point iteration: the weights alpha draw to the points, beta keep the projected ones apart. */
+/** X^(k+1) of X^(k), the fixed-point iteration: the weights alpha draw to the points, beta keep the projected ones
+  * apart. */
 Point
 nextPlace (const Point& x, const BallSearch& points, const BallSearch& projected, const LopParameters& parameters)
 {

@@ -21,8 +21,8 @@ struct LopParameters
 /** Moves all points by the locally optimal projection of Lipman, Cohen-Or, Levin and Tal-Ezer, "Parameterization-free
   * Projection for Geometry Reconstruction", SIGGRAPH 2007, with the repulsion eta (r) = 1 / (3 r^3) of that paper.
   *
-  * The projected set begins as the points themselves. Neighbors beyond h, where the weight has fallen to exp (-16), count
-  * nothing; nor do those at no distance, which have no direction. A point without neighbors stays.
+  * The projected set begins as the points themselves. Neighbors beyond h, where the weight has fallen to exp (-16),
+  * count nothing; nor do those at no distance, which have no direction. A point without neighbors stays.
   * \return point i is what became of point i */
 std::vector<Eigen::Vector3d>
 locallyOptimalProjection (const std::vector<Eigen::Vector3d>& points, const LopParameters& parameters);

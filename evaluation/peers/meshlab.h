@@ -9,8 +9,8 @@ namespace pcl_normal_smoothing::evaluation
 {
 
 /** Writes the points and a filter script into the folder.
-  * \param[in] setting of "APSS" with the values "filter scale" and "spherical parameter", or of "RIMLS" with "filter scale"
-  * and "sharpness" \throw std::runtime_error where they cannot be written */
+  * \param[in] setting of "APSS" with the values "filter scale" and "spherical parameter", or of "RIMLS" with "filter
+  * scale" and "sharpness" \throw std::runtime_error where they cannot be written */
 void
 writeMeshLabInput (const WorkFolder& folder, const PeerSetting& setting, const std::vector<Eigen::Vector3d>& points);
 

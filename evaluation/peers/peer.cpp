@@ -34,8 +34,8 @@ workerOf (const PeerRun& run)
   return run.worker.empty () ? PEER_PROGRAM : run.worker;
 }
 
-/** Where the peers see the cloud: at the origin, with a diagonal of 1. MeshLab works in single precision, and CGAL's WLOP
-  * has thresholds that do not scale. */
+/** Where the peers see the cloud: at the origin, with a diagonal of 1. MeshLab works in single precision, and CGAL's
+  * WLOP has thresholds that do not scale. */
 struct Frame
 {
   Eigen::Vector3d origin;
@@ -106,7 +106,8 @@ withFolder (const std::string& program)
   return program.find ('/') == std::string::npos ? program : std::filesystem::absolute (program).string ();
 }
 
-/** The result in the frame of the cloud. \param[in, out] result failure and seconds are set as soon as they are known */
+/** The result in the frame of the cloud. \param[in, out] result failure and seconds are set as soon as they are
+  * known */
 Points
 runIn (const WorkFolder& folder,
        const PeerSetting& setting,

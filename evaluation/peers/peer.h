@@ -20,8 +20,8 @@ struct PeerSetting
   std::string parameters;
   /** The peer's own default. Exactly one setting of each peer is. */
   bool is_default = false;
-  /** By name, what the adapter of this peer reads. Lengths are in spacings of the noisy cloud: the mean over its points of
-    * the mean distance to the 6 nearest others. */
+  /** By name, what the adapter of this peer reads. Lengths are in spacings of the noisy cloud: the mean over its points
+    * of the mean distance to the 6 nearest others. */
   std::map<std::string, double> values;
 };
 
@@ -53,11 +53,12 @@ struct PeerResult
 std::vector<PeerSetting>
 peerSettings ();
 
-/** Smooths \a noisy as a process of its own, which sees the cloud at the origin with a diagonal of 1. A point that the peer
-  * drops, as PCL's MLS does without neighbors, stays as it was. Several threads may run peers at once.
+/** Smooths \a noisy as a process of its own, which sees the cloud at the origin with a diagonal of 1. A point that the
+  * peer drops, as PCL's MLS does without neighbors, stays as it was. Several threads may run peers at once.
   *
-  * Never throws for what the peer does: a crash, a non-zero status, a time-out and output of another size or with numbers
-  * that are not finite are all failures; so is input without two different points, or with one that is not finite. */
+  * Never throws for what the peer does: a crash, a non-zero status, a time-out and output of another size or with
+  * numbers that are not finite are all failures; so is input without two different points, or with one that is not
+  * finite. */
 PeerResult
 runPeer (const PeerSetting& setting, const std::vector<Eigen::Vector3d>& noisy, const PeerRun& run = {});
 

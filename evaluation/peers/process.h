@@ -46,8 +46,9 @@ struct ProcessOutcome
   double seconds = 0;
 };
 
-/** Runs a program in a process group of its own, with the folder as its current one and as its place for temporary files;
-  * it reads nothing, and what it prints goes to the file "log" there. When this returns, the whole group is gone.
+/** Runs a program in a process group of its own, with the folder as its current one and as its place for temporary
+  * files; it reads nothing, and what it prints goes to the file "log" there. When this returns, the whole group is
+  * gone.
   * \param[in] command the program, looked up in PATH, and its arguments
   * \param[in] time_limit in seconds, after which the group is ended */
 ProcessOutcome

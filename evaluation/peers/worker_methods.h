@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/** Methods of libraries, and LOP: points and the values of a setting in, points in the same order out. Those lengths among
-  * the values that are in spacings must have been turned into the points' unit. A value that is missing throws
+/** Methods of libraries, and LOP: points and the values of a setting in, points in the same order out. Those lengths
+  * among the values that are in spacings must have been turned into the points' unit. A value that is missing throws
   * std::out_of_range. */
 namespace pcl_normal_smoothing::evaluation
 {

@@ -6,7 +6,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Keeps a folder for one process: two studies would overwrite each other's rows. Goes with the process, however that ends. */
+/** Keeps a folder for one process: two studies would overwrite each other's rows. Goes with the process, however that
+  * ends. */
 class FolderLock
 {
 public:

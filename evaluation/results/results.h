@@ -11,12 +11,13 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** The rows of a study, in its folder as rows.csv and rows.json: both always complete files, a few seconds behind the work.
-  * What an earlier, interrupted study has left there is taken up. */
+/** The rows of a study, in its folder as rows.csv and rows.json: both always complete files, a few seconds behind the
+  * work. What an earlier, interrupted study has left there is taken up. */
 class Results
 {
 public:
-  /** \param[in] folder exists \throw FileError where rows.json is there but cannot be read, or another study is at work */
+  /** \param[in] folder exists \throw FileError where rows.json is there but cannot be read, or another study is at
+    * work */
   explicit Results (const std::string& folder);
 
   /** The row of that key; nullptr where there is none. Valid until the next put. */

@@ -19,8 +19,9 @@ struct StudyFile
   std::vector<std::uint64_t> seeds;
 };
 
-/** Writes study.json, with the version of the project, and of every model its file, size, mean edge length, source and a
-  * fingerprint of its vertices. Models, noises, sigmas and seeds of an earlier study in the folder stay listed, as their rows do.
+/** Writes study.json, with the version of the project, and of every model its file, size, mean edge length, source and
+  * a fingerprint of its vertices. Models, noises, sigmas and seeds of an earlier study in the folder stay listed, as
+  * their rows do.
   * \throw FileError where the earlier study is by another version, or has another model by one of the names: its rows
   * would not fit to those that come; or where the file cannot be written */
 void

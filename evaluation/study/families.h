@@ -6,7 +6,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** The rows of each family that a case still lacks: planned, so that the time that is left can be told, and then worked on. */
+/** The rows of each family that a case still lacks: planned, so that the time that is left can be told, and then worked
+  * on. */
 
 /** The noisy cloud itself, and the presets. */
 void
@@ -22,7 +23,8 @@ planSweep (const StudyOptions& options, const Case& that, const Results& results
 void
 workOnSweep (const CaseWork& work);
 
-/** The settings of the peers, as many at once as there are cores; of each peer the default and the best are kept as clouds. */
+/** The settings of the peers, as many at once as there are cores; of each peer the default and the best are kept as
+  * clouds. */
 void
 planPeers (const StudyOptions& options, const Case& that, const Results& results, Progress& progress);
 

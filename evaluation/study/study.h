@@ -43,8 +43,8 @@ struct StudyCounts
   std::size_t ok = 0, failed = 0, absent = 0;
 };
 
-/** Runs the study: rows that the folder already holds are kept, those that failed or were absent are tried again. A model, a
-  * peer or a row that fails is a row that says why, and the study goes on.
+/** Runs the study: rows that the folder already holds are kept, those that failed or were absent are tried again. A
+  * model, a peer or a row that fails is a row that says why, and the study goes on.
   * \throw FileError where the folder cannot be written to, or holds a study that this one does not fit to */
 StudyCounts
 runStudy (const StudyOptions& options);

@@ -30,7 +30,8 @@ struct Combination
   options () const;
 };
 
-/** All 540: P, W, H; T, G, M; k 7, 15, 21; 2 to 32 normal iterations; 5 to 40 point iterations. The last change fastest. */
+/** All 540: P, W, H; T, G, M; k 7, 15, 21; 2 to 32 normal iterations; 5 to 40 point iterations. The last change
+  * fastest. */
 std::vector<Combination>
 allCombinations ();
 

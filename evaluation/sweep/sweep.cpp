@@ -108,8 +108,8 @@ Sweep::moveAndSink (const std::vector<Combination>& group,
                     double seconds,
                     const Sink& sink)
 {
-  // One update to the largest number, looked at where it would search anew: a second one from where the first ended would
-  // round differently, as displacements count from the start.
+  // One update to the largest number, looked at where it would search anew: a second one from where the first ended
+  // would round differently, as displacements count from the start.
   core::PointUpdateOptions update = group.back ().options ().update;
   for (const Combination& combination : group)
     update.search_interval = std::gcd (update.search_interval, combination.point_iterations);

@@ -18,9 +18,9 @@ struct Smoothed
   double seconds = 0;
 };
 
-/** Smooths one cloud by many combinations; what they have in common is done once: the search for a k, the normals for a k
-  * and an estimator, and iterations, each count going on from the last. The results are bit for bit those of NormalSmoothing
-  * for a cloud of floats. */
+/** Smooths one cloud by many combinations; what they have in common is done once: the search for a k, the normals for a
+  * k and an estimator, and iterations, each count going on from the last. The results are bit for bit those of
+  * NormalSmoothing for a cloud of floats. */
 class Sweep
 {
 public:

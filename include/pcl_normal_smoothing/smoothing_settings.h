@@ -20,7 +20,9 @@ enum class SmoothingPreset
   * The presets DEFAULT and FAST smooth in rounds, which need no parameter. Where one of the parameters of the paper's
   * chain is set (the normal filter's, the update's rule or sigma_s, or a search interval above 0), the chain runs in
   * their place: WPCA, k 15, Gaussian weights, 2 normal iterations, 2 compensated point iterations, apart from what is
-  * set. Defaults of those parameters are the chain's, and PAPER's where they differ. */
+  * set. Defaults of those parameters are the chain's, and PAPER's where they differ.
+  *
+  * Setters that take a std::optional set nothing by std::nullopt: what was set before is taken back. */
 class SmoothingSettings
 {
 public:
@@ -39,63 +41,63 @@ public:
 
   /** Where the normals come from; in rounds: those of the first. Default NormalSource::WPCA, PAPER: PCA. */
   void
-  setNormalSource (NormalSource source)
+  setNormalSource (std::optional<NormalSource> source)
   {
     normal_source_ = source;
   }
 
   /** Which weight a neighbour's normal has in the filter. Chooses the chain. Default NormalWeight::GAUSSIAN. */
   void
-  setNormalWeight (NormalWeight weight)
+  setNormalWeight (std::optional<NormalWeight> weight)
   {
     normal_weight_ = weight;
   }
 
   /** T of eq. 3, range [0, 1). Chooses the chain. Default 0.65. */
   void
-  setThreshold (double threshold)
+  setThreshold (std::optional<double> threshold)
   {
     threshold_ = threshold;
   }
 
   /** sigma_s of eq. 5, of the normal filter, range > 0. Chooses the chain. Default 0.3. */
   void
-  setSigmaS (double sigma_s)
+  setSigmaS (std::optional<double> sigma_s)
   {
     sigma_s_ = sigma_s;
   }
 
   /** The threshold of eq. 7. Chooses the chain. Default MixedThreshold::PRINTED. */
   void
-  setMixedThreshold (MixedThreshold threshold)
+  setMixedThreshold (std::optional<MixedThreshold> threshold)
   {
     mixed_threshold_ = threshold;
   }
 
   /** Iterations of the normal filter, range >= 0. Chooses the chain. Default 2, PAPER: 5. */
   void
-  setNormalIterations (int iterations)
+  setNormalIterations (std::optional<int> iterations)
   {
     normal_iterations_ = iterations;
   }
 
   /** How points move. Chooses the chain. Default UpdateRule::COMPENSATED, PAPER: UpdateRule::PAPER. */
   void
-  setUpdateRule (UpdateRule rule)
+  setUpdateRule (std::optional<UpdateRule> rule)
   {
     update_rule_ = rule;
   }
 
   /** sigma_s of eq. 9, of the point update, range > 0. Chooses the chain. Default 0.03, PAPER: 1/3. */
   void
-  setUpdateSigmaS (double sigma_s)
+  setUpdateSigmaS (std::optional<double> sigma_s)
   {
     update_sigma_s_ = sigma_s;
   }
 
   /** Iterations of the point update (2, PAPER: 7), range >= 0; rounds of DEFAULT (6) and FAST (3), range 0 to 6. */
   void
-  setPointIterations (int iterations)
+  setPointIterations (std::optional<int> iterations)
   {
     point_iterations_ = iterations;
   }
@@ -103,7 +105,7 @@ public:
   /** No point ends farther from where it began, in the cloud's unit, range > 0. Default, and where it is infinity: five
     * times the largest noise in rounds, no limit in the chain. */
   void
-  setMaxDisplacement (double distance)
+  setMaxDisplacement (std::optional<double> distance)
   {
     max_displacement_ = distance;
   }
@@ -128,16 +130,16 @@ public:
   /** Standard deviation of the noise along the normal, in the cloud's unit, range >= 0, for rounds. Default: estimated
     * from the cloud, see SurfaceNoiseEstimation. */
   void
-  setNoiseSigma (double sigma)
+  setNoiseSigma (std::optional<double> sigma)
   {
     noise_sigma_ = sigma;
   }
 
   /** The noise may differ from place to place, as that of scanners does: sigma is then its median over the points, and
-    * the cloud tells how it varies. For rounds. Default: true, but false where setNoiseSigma gives one sigma for all.
-    * */
+    * the cloud tells how it varies. For rounds. Default: true, but false where setNoiseSigma gives one sigma for
+    * all. */
   void
-  setNoiseVaries (bool varies)
+  setNoiseVaries (std::optional<bool> varies)
   {
     noise_varies_ = varies;
   }
@@ -157,7 +159,7 @@ public:
   /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; that of neighbours, where
     * neighbourhoods are widened. Default: estimated. */
   void
-  setPointSpacing (double spacing)
+  setPointSpacing (std::optional<double> spacing)
   {
     point_spacing_ = spacing;
   }
@@ -166,9 +168,9 @@ public:
     * not counted, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one. Default: where the cloud shows
     * close sheets, .36 of the gap between them, at most the smaller of 4 sigma and 1.2 spacings; where it shows the
     * layers of a depth camera, infinity; else max (4 sigma, min (4 of the largest sigma, 1.2 spacings)), but infinity
-    * where four of the largest sigma are more than three times that, and for FAST. */
+    * where four of the largest sigma are more than three times that, and for FAST, but on the lines of a scan. */
   void
-  setSheetDistance (double distance)
+  setSheetDistance (std::optional<double> distance)
   {
     sheet_distance_ = distance;
   }
@@ -196,8 +198,8 @@ public:
   }
 
   /** k where neither k, nor a radius, nor a graph is set: 32 of DEFAULT, 16 of FAST, 15 of the chain in their place, 7
-    * of PAPER. Of a larger one that is set, or of more neighbours within a radius, the rounds look at the nearest 32.
-    * */
+    * of PAPER. Of a larger one that is set, or of more neighbours within a radius, the rounds look at the nearest
+    * 32. */
   int
   presetK () const;
 

@@ -16,6 +16,12 @@
 
 namespace pcl_normal_smoothing
 {
+/** Names of three fields that are a vector. */
+using VectorFields = std::array<std::string, 3>;
+
+extern const VectorFields position_fields; //!< x, y, z
+extern const VectorFields normal_fields;   //!< normal_x, normal_y, normal_z
+
 /** Where the points of a cloud keep a vector: how compiled code reads and writes any point type. */
 class VectorLayout
 {
@@ -50,7 +56,11 @@ public:
 
   /** The fields called \a names; nothing where one is missing, or they are not all float or all double. */
   static std::optional<VectorLayout>
-  find (const pcl::PCLPointCloud2& cloud, const std::array<std::string, 3>& names);
+  find (const pcl::PCLPointCloud2& cloud, const VectorFields& names);
+
+  /** The same. \throw core::Error where find has nothing: it names the fields that there are, and tells the \a advice */
+  static VectorLayout
+  require (const pcl::PCLPointCloud2& cloud, const VectorFields& names, const std::string& advice);
 
   Scalar
   scalar () const

@@ -9,8 +9,8 @@ namespace pcl_normal_smoothing
   * Smoothing Point-based Surfaces" (SIBGRAPI 2013).
   *
   * A neighbour weighs the inverse of its distance, and the covariance is taken about the weighted centroid of the other
-  * points: k has to be at least 4, or 3 with a search surface (setSearchSurface). Works wherever a pcl::Feature does.
-  * */
+  * points: k has to be at least 4, or 3 with a search surface (setSearchSurface). Works wherever a pcl::Feature
+  * does. */
 template <typename PointInT, typename PointOutT>
 class WPCANormalEstimation : public SurfaceNormalEstimation<PointInT, PointOutT>
 {

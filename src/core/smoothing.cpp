@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rounds/round_schedule.h"
 
+#include "limits.h"
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/core/smoothing.h>
 
@@ -46,12 +47,11 @@ check (const SmoothingOptions& options)
 void
 checkNeighborCount (const SmoothingOptions& options, int k)
 {
-  constexpr int least_of_rounds = 7; // one more than a quadric has coefficients: min_fit_points of the kernels
   if (!options.robust)
     return checkNeighborCount (options.normals, k);
-  if (k > 0 && k < least_of_rounds)
+  if (k > 0 && k < min_fit_points)
     throw Error ("k is " + std::to_string (k) + ", but the rounds fit quadrics, which need " +
-                 std::to_string (least_of_rounds) + " points: give k of at least " + std::to_string (least_of_rounds));
+                 std::to_string (min_fit_points) + " points: give k of at least " + std::to_string (min_fit_points));
 }
 
 int

@@ -15,8 +15,8 @@
 #include <memory>
 #include <new>
 
-/** A scanner's own point: the normal before the position, and a field that no type of PCL's has. Its copies may fail as those of
-  * large clouds do. */
+/** A scanner's own point: the normal before the position, and a field that no type of PCL's has. Its copies may fail as
+  * those of large clouds do. */
 struct EIGEN_ALIGN16 ScannerPoint
 {
   ScannerPoint () = default;

@@ -116,7 +116,7 @@ TYPED_TEST (FilterBadInput, ParametersOutOfRangeAreErrors)
   filter.setMaxNeighborDistance (0);
   for (const double sigma : {-0.25, 0.0, double (nan_float)}) {
     filter.setSigmaS (sigma);
-    this->expectError (filter, std::to_string (sigma).substr (0, 3));
+    this->expectError (filter, core::numberText (sigma));
   }
   filter.setSigmaS (0.3);
   expectSamePoints (this->run (filter), [&] {
@@ -236,7 +236,8 @@ TYPED_TEST (FilterBadNormals, TheirLengthDoesNotMatterAndWhereThereIsNoneThePoin
 class FilterNormals : public FilterTest<BilateralNormalFilter<pcl::PointXYZ>>
 {
 protected:
-  /** Expects an error that says \a part of what is wrong, nothing in an output, and the input's normals where that is it. */
+  /** Expects an error that says \a part of what is wrong, nothing in an output, and the input's normals where that is
+    * it. */
   static void
   expectErrorOfNormals (BilateralNormalFilter<pcl::PointXYZ>& filter,
                         const NormalCloud::Ptr& normals,

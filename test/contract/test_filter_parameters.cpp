@@ -173,7 +173,17 @@ TEST_F (UpdateParameters, OutOfRangeTheyAreRefused)
   expectRefused ([] (auto& filter) { filter.setMaxIterations (-7); }, "-7");
   expectRefused ([] (auto& filter) { filter.setSearchInterval (-2); }, "-2");
   expectRefused ([] (auto& filter) { filter.setMaxDisplacement (-0.5); }, "-0.5");
-  expectRefused ([] (auto& filter) { filter.setMaxDisplacement (0); }, "0.0");
+  expectRefused ([] (auto& filter) { filter.setMaxDisplacement (0); }, "is 0:");
+}
+
+TEST_F (SmoothingParameters, NulloptTakesBackWhatWasSet)
+{
+  expectEffect ([] (auto& filter) { filter.setNoiseSigma (0.3); },
+                [] (auto& filter) { filter.setNoiseSigma (std::nullopt); });
+  expectEffect ([] (auto& filter) { filter.setPointIterations (1); },
+                [] (auto& filter) { filter.setPointIterations (std::nullopt); });
+  expectEffect ([] (auto& filter) { filter.setNormalIterations (1); }, // it had chosen the chain
+                [] (auto& filter) { filter.setNormalIterations (std::nullopt); });
 }
 
 TEST_F (SmoothingParameters, EachHasItsEffect)

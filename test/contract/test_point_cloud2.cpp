@@ -151,7 +151,8 @@ TEST_F (PointCloud2Test, DoublesFarFromTheOriginMoveAsAtTheOrigin)
   prepare (far_smoothing, makeBinaryCloud (layout, points_, far));
   const pcl::PCLPointCloud2 near_output = run (near_smoothing), far_output = run (far_smoothing);
   expectSameOtherFields (far_output, layout, makeBinaryCloud (layout, points_, far));
-  // Some roundings of a float coordinate: the share of a step that the rounds take is a steep function of what they see.
+  // Some roundings of a float coordinate: the share of a step that the rounds take is a steep function of what they
+  // see.
   for (std::size_t i = 0; i < points_.size (); ++i)
     EXPECT_LT ((layout.position (far_output, i) - far - layout.position (near_output, i)).norm (), 2e-6)
         << "point " << i;

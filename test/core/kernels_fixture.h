@@ -3,9 +3,9 @@
 
 #include "graph_rows.h"
 
+#include <core/kernels.h>
+#include <core/search/node_blocks.h>
 #include <pcl_normal_smoothing/core/chain/normal_filter.h>
-#include <pcl_normal_smoothing/core/kernels.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,8 @@ expectSameBits (const std::vector<Number>& actual, const std::vector<Number>& ex
         << kernels << ": number " << i << " is " << actual[i] << ", not " << expected[i];
 }
 
-/** Clouds whose last block is full or not, that have moved or not, rows of one length or of many, some nodes without a normal. */
+/** Clouds whose last block is full or not, that have moved or not, rows of one length or of many, some nodes without a
+  * normal. */
 class KernelsTest : public testing::TestWithParam<std::tuple<int, NeighborQuery>>
 {
 protected:

@@ -82,7 +82,8 @@ doubles ()
   return positions;
 }
 
-/** Of a tree about the middle one of these clusters the others are so far that its floats do not tell their points apart. */
+/** Of a tree about the middle one of these clusters the others are so far that its floats do not tell their points
+  * apart. */
 Positions
 doublesFarFromEachOther ()
 {

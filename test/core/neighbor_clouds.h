@@ -3,7 +3,7 @@
 
 #include "../shapes.h"
 
-#include <pcl_normal_smoothing/core/search/kd_tree.h>
+#include <core/search/kd_tree.h>
 
 #include <string>
 

@@ -3,7 +3,7 @@
 
 #include "graph_rows.h"
 
-#include <pcl_normal_smoothing/core/whole_cloud.h>
+#include <core/whole_cloud.h>
 
 namespace test_support
 {
@@ -13,7 +13,8 @@ struct Smoothed
   Vectors normals;
 };
 
-/** The presets default and fast: rounds, what they need to be estimated, with even noise and neighbourhoods as they are. */
+/** The presets default and fast: rounds, what they need to be estimated, with even noise and neighbourhoods as they
+  * are. */
 inline pcl_normal_smoothing::core::SmoothingOptions
 robustOptions (bool fast)
 {

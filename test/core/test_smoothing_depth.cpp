@@ -2,7 +2,7 @@
 #include "graph_rows.h"
 #include "shapes.h"
 
-#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <core/smoothing_preparation.h>
 
 #include <gtest/gtest.h>
 

@@ -77,7 +77,8 @@ TEST_P (Peers, AreTheSameAtAnyPlaceAndScale)
     std::nth_element (differences.begin (), differences.begin () + 250, differences.end ());
     return differences[250];
   };
-  // MeshLab's APSS gives another result for the same points once in sixty times; a place that matters does so each time.
+  // MeshLab's APSS gives another result for the same points once in sixty times; a place that matters does so each
+  // time.
   double least = difference ();
   for (int again = 0; again < 2 && least >= 1e-4; ++again)
     least = std::min (least, difference ());

@@ -61,8 +61,9 @@ TEST (Lop, FirstIterationOfTwoPointsByHand)
 
 TEST (Lop, SecondIterationOfTwoPointsByHand)
 {
-  // From a = 1 / (1 + e): theta (a) / a = 3.458838 back to its own place, theta (1 - a) / (1 - a) = 0.801567 to the other,
-  // so the attraction is (0.585993 - 0.930224) / 4.260405 = -0.080798; the repulsion is 0.25 (2a - 1) = -0.115529.
+  // From a = 1 / (1 + e): theta (a) / a = 3.458838 back to its own place, theta (1 - a) / (1 - a) = 0.801567 to the
+  // other, so the attraction is (0.585993 - 0.930224) / 4.260405 = -0.080798; the repulsion is 0.25 (2a - 1) =
+  // -0.115529.
   const Points result = locallyOptimalProjection (alongX ({0, 1}), {4, 0.25, 2});
   EXPECT_NEAR (0.268941 - 0.080798 - 0.115529, result[0].x (), 3e-6);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // usage: stage_checksums threads
-// Prints a checksum of what every stage makes of a cloud, a line each. check_same_bits.cmake runs it under different numbers
-// and schedules of threads, and compares.
+// Prints a checksum of what every stage makes of a cloud, a line each. check_same_bits.cmake runs it under different
+// numbers and schedules of threads, and compares.
 #include "shapes.h"
 
 #include <pcl_normal_smoothing/bilateral_normal_filter.h>

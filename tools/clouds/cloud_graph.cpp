@@ -4,10 +4,9 @@
 #include "command_line/tool.h"
 #include "files/field_values.h"
 
+#include <core/noise/noise_sample.h>
 #include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/run_settings.h>
-
-#include <pcl/common/io.h>
 
 #include <cstdio>
 
@@ -18,35 +17,11 @@ namespace tools
 const char* const normals_advice =
     "estimate them first, with pcl_wpca_normal_estimation or pcl_hough_normal_estimation";
 
-namespace
-{
-/** Names, types and sizes in bytes, as the header of a PCD file has them. */
-std::string
-fieldsOf (const pcl::PCLPointCloud2& cloud)
-{
-  std::string list;
-  for (const pcl::PCLPointField& field : cloud.fields)
-    list += (list.empty () ? "" : ", ") + field.name + " " + pcl::getFieldType (field.datatype) +
-            std::to_string (pcl::getFieldSize (field.datatype));
-  return list;
-}
-
-/** \throw core::Error with \a advice where the fields are not there, all float or all double */
-VectorLayout
-layoutOf (const CloudFile& file, const std::array<std::string, 3>& names, const std::string& advice)
-{
-  const auto layout = VectorLayout::find (*file.cloud, names);
-  if (!layout)
-    throw core::Error ("the cloud has no fields " + names[0] + ", " + names[1] + ", " + names[2] +
-                       " that are all float or all double, but " + fieldsOf (*file.cloud) + ": " + advice);
-  return *layout;
-}
-} // namespace
-
 VectorLayout
 positionLayoutOf (const CloudFile& file)
 {
-  return layoutOf (file, {"x", "y", "z"}, "give a cloud of points, or rename and convert its fields");
+  return VectorLayout::require (*file.cloud, position_fields,
+                                "give a cloud of points, or rename and convert its fields");
 }
 
 VectorView
@@ -61,7 +36,7 @@ positionsOf (const CloudFile& file)
 VectorLayout
 normalLayoutOf (const CloudFile& file, const std::string& advice)
 {
-  return layoutOf (file, {"normal_x", "normal_y", "normal_z"}, advice);
+  return VectorLayout::require (*file.cloud, normal_fields, advice);
 }
 
 void
@@ -83,10 +58,19 @@ searchNeighbors (const CloudFile& file, const core::NeighborQuery& query, const 
   return result;
 }
 
+core::NoiseEstimate
+estimateNoise (const CloudFile& file, const core::Execution& execution)
+{
+  core::NeighborQuery query {core::noise_row_length};
+  query.distinct = true;
+  const CloudGraph cloud = searchNeighbors (file, query, execution.part (0, 0.9));
+  return core::estimateNoise (*cloud.graph, cloud.nodes, execution.part (0.9, 1)).inCloudUnit (cloud.nodes.unit);
+}
+
 void
 addNormalFields (CloudFile& file, const std::vector<std::string>& more)
 {
-  std::vector<std::string> names {"normal_x", "normal_y", "normal_z"};
+  std::vector<std::string> names (normal_fields.begin (), normal_fields.end ());
   names.insert (names.end (), more.begin (), more.end ());
   addFloatFields (*file.cloud, names);
 }

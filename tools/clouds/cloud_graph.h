@@ -3,6 +3,7 @@
 
 #include "files/cloud_io.h"
 
+#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 
@@ -40,6 +41,10 @@ checkPointCount (std::size_t finite_points, std::size_t k);
 /** \param[in] query in the cloud's unit */
 CloudGraph
 searchNeighbors (const CloudFile& file, const core::NeighborQuery& query, const core::Execution& execution);
+
+/** The noise that the neighbourhoods of a cloud show, in its unit: what SurfaceNoiseEstimation tells. */
+core::NoiseEstimate
+estimateNoise (const CloudFile& file, const core::Execution& execution);
 
 /** Adds the fields of normals that are missing, normal_x normal_y normal_z and \a more, with NaN. */
 void

@@ -43,7 +43,7 @@ finitePointsOf (const CloudFile& file)
 std::optional<Points>
 normalsOf (const CloudFile& file)
 {
-  const auto layout = VectorLayout::find (*file.cloud, {"normal_x", "normal_y", "normal_z"});
+  const auto layout = VectorLayout::find (*file.cloud, normal_fields);
   if (!layout)
     return std::nullopt;
   Points normals;

@@ -9,8 +9,9 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Writes normals and surface variations to the fields normal_x normal_y normal_z curvature, which are added where they are
-  * missing. Normals point to the sensor's origin, as those of pcl::NormalEstimation do. A point without a surface gets NaN.
+/** Writes normals and surface variations to the fields normal_x normal_y normal_z curvature, which are added where they
+  * are missing. Normals point to the sensor's origin, as those of pcl::NormalEstimation do. A point without a surface
+  * gets NaN.
   * \param[in] surfaces one a node of \a graph */
 void
 writeSurfaces (const core::NeighborGraph& graph, const std::vector<core::LocalSurface>& surfaces, CloudFile& file);

@@ -18,11 +18,13 @@ struct DoubleTorus
   Eigen::Vector3d box;
 };
 
-/** (x^2 (1 - x^2) - y^2)^2 + (0.8 z)^2 = 0.12^2: the tube is flat where it turns, two to five spacings of 4,350 points thick. */
+/** (x^2 (1 - x^2) - y^2)^2 + (0.8 z)^2 = 0.12^2: the tube is flat where it turns, two to five spacings of 4,350 points
+  * thick. */
 DoubleTorus
 figureOfEight ();
 
-/** Two round tori side by side, of radii 0.55 and 0.25, joined smoothly where they meet: the tube is ten spacings of 4,350 points thick. */
+/** Two round tori side by side, of radii 0.55 and 0.25, joined smoothly where they meet: the tube is ten spacings of
+  * 4,350 points thick. */
 DoubleTorus
 joinedTori ();
 

@@ -98,7 +98,7 @@ flipEdges (Mesh& mesh)
   std::size_t flips = 0;
   for (const MeshEdge& edge : edges) {
     const std::uint32_t c = opposite (mesh.triangles[edge.left], edge), d = opposite (mesh.triangles[edge.right], edge);
-    constexpr double straight = 3.14159265358979 + 1e-9;
+    constexpr double straight = M_PI + 1e-9;
     if (changed[edge.left] || changed[edge.right] || angleAt (mesh, c, edge) + angleAt (mesh, d, edge) <= straight ||
         !present.insert (std::minmax (c, d)).second)
       continue;

@@ -29,8 +29,8 @@ using Polygon = std::vector<std::size_t>;
 
 constexpr const char* advice = "give a complete PLY, OFF, OBJ or STL mesh";
 
-/** Bounds the memory of the process while it lives: CGAL takes as much as the numbers in a damaged file ask for, and is to
-  * get std::bad_alloc before the machine has none left. */
+/** Bounds the memory of the process while it lives: CGAL takes as much as the numbers in a damaged file ask for, and is
+  * to get std::bad_alloc before the machine has none left. */
 class MemoryBound
 {
 public:
@@ -59,9 +59,9 @@ private:
   rlimit before_;
 };
 
-/** An OFF file without the letters that promise texture coordinates, colours and normals. CGAL 5.5 looks for them behind the
-  * end of a line that has fewer numbers; without the promise, it passes over what stands behind the coordinates. A binary file
-  * stays as it is, for its numbers have no other division. */
+/** An OFF file without the letters that promise texture coordinates, colours and normals. CGAL 5.5 looks for them
+  * behind the end of a line that has fewer numbers; without the promise, it passes over what stands behind the
+  * coordinates. A binary file stays as it is, for its numbers have no other division. */
 std::string
 withoutAttributes (std::string off)
 {

@@ -21,7 +21,8 @@ struct Mesh
   std::vector<Triangle> triangles;
 };
 
-/** Reads a PLY, OFF, OBJ or STL file, told apart by the extension; larger faces are cut into triangles that share a corner.
+/** Reads a PLY, OFF, OBJ or STL file, told apart by the extension; larger faces are cut into triangles that share a
+  * corner.
   * \throw FileError where the file cannot be read or is no mesh */
 Mesh
 loadMesh (const std::string& path);

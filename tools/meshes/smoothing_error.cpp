@@ -20,8 +20,6 @@ namespace
 {
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double pi = 3.14159265358979324;
-
 /** The surface variation of every point. */
 std::vector<double>
 variations (const Points& points, unsigned k)
@@ -104,7 +102,7 @@ meanAngle (const std::vector<Eigen::Vector3d>& normals, const std::vector<Eigen:
   for (std::size_t i = 0; i < normals.size (); ++i) {
     // atan2 keeps small angles, which acos of a cosine near 1 does not.
     const double cosine = std::abs (normals[i].dot (expected[i])), sine = normals[i].cross (expected[i]).norm ();
-    angles.push_back (cosine + sine > 0 ? std::atan2 (sine, cosine) * 180 / pi : std::nan (""));
+    angles.push_back (cosine + sine > 0 ? std::atan2 (sine, cosine) * 180 / M_PI : std::nan (""));
   }
   return meanOf (angles);
 }

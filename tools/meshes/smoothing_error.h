@@ -24,13 +24,14 @@ distanceToMesh (const std::vector<Eigen::Vector3d>& points, const Mesh& mesh);
 double
 areaError (const std::vector<Eigen::Vector3d>& points, const Mesh& mesh);
 
-/** E_k of the paper: the mean absolute difference of the surface variation among the \a k nearest, the point itself included,
-  * searched anew in each cloud. Points without a surface variation in both clouds are left out; NaN where all are. */
+/** E_k of the paper: the mean absolute difference of the surface variation among the \a k nearest, the point itself
+  * included, searched anew in each cloud. Points without a surface variation in both clouds are left out; NaN where all
+  * are. */
 double
 variationError (const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& clean, unsigned k);
 
-/** The mean angle, whatever the signs, of normals to those of the mesh's vertices, in degrees. Points where either has no
-  * length are left out; NaN where all are. */
+/** The mean angle, whatever the signs, of normals to those of the mesh's vertices, in degrees. Points where either has
+  * no length are left out; NaN where all are. */
 double
 meanAngle (const std::vector<Eigen::Vector3d>& normals, const Mesh& mesh);
 

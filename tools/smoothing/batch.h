@@ -9,9 +9,9 @@ namespace tools
 {
 /** Smooths all clouds of a folder into another one, under the same names, with a report beside each: "scan.pcd.json".
   *
-  * Files of 16 MiB and more come first, one by one, with all threads; then the smaller ones, with one thread each, as many
-  * side by side as there are threads. A file is not smoothed again where its output is newer than itself and its report
-  * tells of the same options and version. */
+  * Files of 16 MiB and more come first, one by one, with all threads; then the smaller ones, with one thread each, as
+  * many side by side as there are threads. A file is not smoothed again where its output is newer than itself and its
+  * report tells of the same options and version. */
 class Batch
 {
 public:

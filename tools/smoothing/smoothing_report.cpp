@@ -39,14 +39,7 @@ parametersAsJson (const std::string& options)
 Json
 noiseOf (const CloudFile& noisy, const core::SmoothingOptions& used, const core::Execution& execution)
 {
-  core::NoiseEstimate noise = used.rounds.noise;
-  if (!used.robust) {
-    const core::Positions cloud = readPositions (positionsOf (noisy));
-    core::NeighborQuery query {core::noise_row_length};
-    query.distinct = true;
-    const auto graph = core::NeighborGraph::build (cloud, query, execution);
-    noise = core::estimateNoise (*graph, core::gather (cloud, graph->order ()), execution).inCloudUnit (cloud.unit);
-  }
+  const core::NoiseEstimate noise = used.robust ? used.rounds.noise : estimateNoise (noisy, execution);
   return {{"sigma", noise.sigma},
           {"smallest", noise.sigma * noise.field.smallestFactor ()},
           {"largest", noise.sigma * noise.field.largestFactor ()},

@@ -43,7 +43,8 @@ parametersAsJson (const std::string& options);
 Json
 noiseOf (const CloudFile& noisy, const core::SmoothingOptions& used, const core::Execution& execution);
 
-/** How far points have moved, in the cloud's unit: how many, and mean, root mean square and farthest over the finite. */
+/** How far points have moved, in the cloud's unit: how many, and mean, root mean square and farthest over the
+  * finite. */
 Json
 displacementOf (const CloudFile& noisy, const CloudFile& smoothed);
 

@@ -14,8 +14,8 @@ namespace tools
 vtkSmartPointer<vtkLookupTable>
 makeColours ();
 
-/** What nineteen of twenty values do not exceed: the end of the scale, as a few points off the surface would take it all.
-  * Values that are not finite do not count; above 0. */
+/** What nineteen of twenty values do not exceed: the end of the scale, as a few points off the surface would take it
+  * all. Values that are not finite do not count; above 0. */
 double
 scaleLimit (std::vector<float> values);
 

@@ -3,6 +3,8 @@
 
 #include "files/field_values.h"
 
+#include <core/limits.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -24,8 +26,6 @@ const std::array<std::string, 3> presets {"default", "fast", "paper"};
 /** Those that nobody changes to see what happens. */
 const std::vector<std::string> hidden {"-seed", "-oriented", "-max_radius"};
 
-constexpr int most_rounds = 6; // of the presets default and fast, see SmoothingSettings::setPointIterations
-constexpr long least_k_of_rounds = 7;
 constexpr double factor = 1.25;
 
 std::string
@@ -42,9 +42,9 @@ integerStep (const std::string& option, const std::string& text, int direction, 
 {
   const long number = std::atol (text.c_str ());
   if (option != "-k")
-    return std::to_string (std::clamp (number + direction, 0L, rounds ? most_rounds : 1000L));
+    return std::to_string (std::clamp (number + direction, 0L, rounds ? core::max_rounds : 1000L));
   return std::to_string (
-      std::clamp (number + direction * std::max (1L, number / 4), rounds ? least_k_of_rounds : 3L, 256L));
+      std::clamp (number + direction * std::max (1L, number / 4), rounds ? core::min_fit_points : 3L, 256L));
 }
 
 bool

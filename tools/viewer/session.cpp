@@ -17,7 +17,7 @@ namespace tools
 {
 namespace
 {
-constexpr int looks_k = 16;            // of curvature, and the noise that tells the spacing
+constexpr int display_k = 16;          // of curvature, and the noise that tells the spacing
 constexpr int normals_k = 8;           // few, that noise shows
 constexpr std::size_t most_graphs = 6; // 13 MB each, of 100,000 points with 32 neighbours
 
@@ -39,9 +39,9 @@ ViewerSession::ViewerSession (const std::string& cloud_path, const std::string& 
 : file_ (loadInput (cloud_path)), cloud_ (readPositions (positionsOf (file_), core::Execution ()))
 {
   checkPointCount (core::finiteElements (cloud_).size (), 0);
-  looks_ = core::NeighborGraph::build (cloud_, makeNeighborQuery (looks_k, 0, 0), core::Execution ());
+  display_graph_ = core::NeighborGraph::build (cloud_, makeNeighborQuery (display_k, 0, 0), core::Execution ());
   noisy_ = smoothed_ = surfaceOf (file_);
-  spacing_ = core::estimateNoise (*looks_, noisy_.nodes, core::Execution ()).inCloudUnit (cloud_.unit).spacing;
+  spacing_ = core::estimateNoise (*display_graph_, noisy_.nodes, core::Execution ()).inCloudUnit (cloud_.unit).spacing;
   if (!mesh_path.empty ())
     useMesh (mesh_path);
 }
@@ -51,11 +51,11 @@ ViewerSession::useMesh (const std::string& path)
 {
   const Mesh mesh = loadMesh (path);
   mesh_distance_.emplace (mesh);
-  if (mesh.vertices.size () != looks_->size () || looks_->size () != file_.size ())
+  if (mesh.vertices.size () != display_graph_->size () || display_graph_->size () != file_.size ())
     return;
   std::vector<std::uint32_t> node_of (file_.size ());
-  for (std::uint32_t node = 0; node < looks_->size (); ++node)
-    node_of[looks_->order ()[node]] = node;
+  for (std::uint32_t node = 0; node < display_graph_->size (); ++node)
+    node_of[display_graph_->order ()[node]] = node;
   for (const auto& [a, b, c] : mesh.triangles)
     triangles_.push_back ({node_of[a], node_of[b], node_of[c]});
 }
@@ -65,8 +65,8 @@ ViewerSession::surfaceOf (const CloudFile& file) const
 {
   const core::Execution execution;
   Surface surface;
-  surface.nodes = core::gather (readPositions (positionsOf (file), cloud_.unit, execution), looks_->order ());
-  surface.normals = core::startNormals (*looks_, surface.nodes, execution, normals_k);
+  surface.nodes = core::gather (readPositions (positionsOf (file), cloud_.unit, execution), display_graph_->order ());
+  surface.normals = core::startNormals (*display_graph_, surface.nodes, execution, normals_k);
   return surface;
 }
 
@@ -110,7 +110,7 @@ ViewerSession::values (const Surface& surface, Colouring colouring) const
   const core::Execution execution;
   std::vector<float> numbers (surface.nodes.size ());
   if (colouring == Colouring::CURVATURE) {
-    const auto surfaces = core::estimateSurfaces (*looks_, surface.nodes, core::pcaSurface, execution);
+    const auto surfaces = core::estimateSurfaces (*display_graph_, surface.nodes, core::pcaSurface, execution);
     std::transform (surfaces.begin (), surfaces.end (), numbers.begin (), [] (const auto& s) { return s.variation; });
     return numbers;
   }

@@ -129,8 +129,8 @@ private:
   };
 
   CloudFile file_, result_;
-  core::Positions cloud_;               // of file_
-  core::NeighborGraph::ConstPtr looks_; // for normals to light by, and curvature
+  core::Positions cloud_;                       // of file_
+  core::NeighborGraph::ConstPtr display_graph_; // for normals to light by, and curvature
   Surface noisy_, smoothed_;
   std::list<KeptGraph> graphs_; // the latest first
   std::optional<MeshDistance> mesh_distance_;

@@ -15,8 +15,8 @@ namespace tools
 {
 /** A surface in VTK: as points, lit by their normals from whatever side one looks, or as triangles.
   *
-  * Not by PCLVisualizer::addPointCloud, which draws points without light, where noise cannot be seen, and in float, where
-  * clouds at UTM coordinates lose their shape. */
+  * Not by PCLVisualizer::addPointCloud, which draws points without light, where noise cannot be seen, and in float,
+  * where clouds at UTM coordinates lose their shape. */
 class SurfaceActor
 {
 public:

@@ -30,7 +30,7 @@ constexpr double text_colour[] = {0.15, 0.15, 0.17};
 constexpr int strip = 0; // the renderer that PCLVisualizer begins with
 constexpr int window_samples = 8;
 constexpr double margin = 1.06; // around what is seen
-constexpr double radians = 3.14159265358979324 / 180;
+constexpr double radians = M_PI / 180;
 
 struct Looking
 {

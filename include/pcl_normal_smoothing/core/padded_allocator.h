@@ -40,8 +40,8 @@ struct PaddedAllocator
     return static_cast<T*> (allocateBytes (bytes (size)));
   }
 
-  /** Leaves numbers undefined where no value is given: the threads that write them first get the pages to themselves.
-    * */
+  /** Leaves numbers undefined where no value is given: the threads that write them first get the pages to
+    * themselves. */
   template <typename U>
   void
   construct (U* place)

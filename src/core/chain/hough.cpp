@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../kernels.h"
 #include <pcl_normal_smoothing/core/chain/hough.h>
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/kernels.h>
 
 #include <Eigen/Geometry>
 
@@ -17,7 +17,11 @@ namespace core
 {
 namespace
 {
-constexpr float pi = 3.14159265f;
+constexpr auto pi = static_cast<float> (M_PI);
+constexpr float least_tolerance = 0.001f; // at which some million triples are drawn for a point
+
+// More triples than this are not listed: few of them would be drawn twice.
+constexpr std::size_t most_listed = 1u << 16;
 
 using RowMajorMatrix = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 using Triple = std::array<std::uint32_t, 3>;
@@ -82,23 +86,23 @@ randomRotations (int count, std::uint64_t seed)
   return rotations;
 }
 
-template <typename Number>
 void
-check (bool valid, const std::string& what, Number value, const std::string& range)
+check (bool valid, const std::string& what, double value, const std::string& range)
 {
   if (!valid)
-    throw Error ("the " + what + " of the Hough normal estimation is " + std::to_string (value) + ": give a number " +
+    throw Error ("the " + what + " of the Hough normal estimation is " + numberText (value) + ": give a number " +
                  range);
 }
 } // namespace
 
-/** Triples of neighbours in random order: without repetition where there are at most \a max of them. */
+/** Triples of neighbours in random order. Where there are at most \a max of them, and not too many to be listed, none
+  * comes twice between two restarts. */
 class HoughEstimator::TripleSource
 {
 public:
   TripleSource (std::uint32_t count, std::size_t max, RandomStream random) : count_ (count), random_ (random)
   {
-    if (std::size_t (count) * (count - 1) * (count - 2) / 6 > max)
+    if (std::size_t (count) * (count - 1) * (count - 2) / 6 > std::min (max, most_listed))
       return;
     for (std::uint32_t a = 0; a < count; ++a)
       for (std::uint32_t b = a + 1; b < count; ++b)
@@ -113,11 +117,18 @@ public:
     return listed_.empty () ? share : std::min (share, listed_.size ());
   }
 
+  /** For another accumulator: all may come again. */
+  void
+  restart ()
+  {
+    drawn_ = 0;
+  }
+
   Triple
   next ()
   {
-    if (!listed_.empty ()) { // Fisher-Yates, as far as it is needed; the next accumulator goes on with what is left
-      const std::size_t i = drawn_++ % listed_.size ();
+    if (!listed_.empty ()) { // Fisher-Yates, as far as it is needed: limit () triples at most
+      const std::size_t i = drawn_++;
       std::swap (listed_[i], listed_[i + random_.below (static_cast<std::uint32_t> (listed_.size () - i))]);
       return listed_[i];
     }
@@ -140,7 +151,8 @@ private:
 HoughEstimator::HoughEstimator (const HoughOptions& options) : options_ (options)
 {
   check (options.confidence > 0 && options.confidence < 1, "confidence", options.confidence, "between 0 and 1");
-  check (options.tolerance > 0 && options.tolerance < 1, "tolerance", options.tolerance, "between 0 and 1");
+  check (options.tolerance >= least_tolerance && options.tolerance < 1, "tolerance", options.tolerance,
+         "from 0.001 to below 1");
   check (options.bands >= 2 && options.bands <= 1000, "number of bands", options.bands, "from 2 to 1000");
   check (options.rotations >= 1 && options.rotations <= 1000, "number of rotations", options.rotations,
          "from 1 to 1000");
@@ -222,6 +234,7 @@ HoughEstimator::vote (const RowMajorMatrix& rotation,
                       std::vector<Bin>& bins) const
 {
   std::fill (bins.begin (), bins.end (), Bin ());
+  triples.restart ();
   const std::size_t limit = triples.limit ((max_triples_ - 1) / rotations_.size () + 1);
   Ballot ballot;
   std::uint32_t drawn_triples[3][block_size];

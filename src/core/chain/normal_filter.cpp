@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../search/node_blocks.h"
 #include <pcl_normal_smoothing/core/chain/normal_filter.h>
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
 
 #include <string>
 
@@ -15,10 +15,10 @@ check (const NormalFilterOptions& options)
   if (options.iterations < 0)
     throw Error ("the number of normal iterations is " + std::to_string (options.iterations) + ": give 0 or more");
   if (!(options.threshold >= 0 && options.threshold < 1))
-    throw Error ("the threshold T of eq. 3 is " + std::to_string (options.threshold) +
+    throw Error ("the threshold T of eq. 3 is " + numberText (options.threshold) +
                  ": give a cosine of at least 0 and below 1");
   if (!(options.sigma_s > 0))
-    throw Error ("sigma_s of the normal filter is " + std::to_string (options.sigma_s) + ": give a number above 0");
+    throw Error ("sigma_s of the normal filter is " + numberText (options.sigma_s) + ": give a number above 0");
 }
 
 void

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../search/node_blocks.h"
 #include <pcl_normal_smoothing/core/chain/point_update.h>
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
 
 #include <string>
 
@@ -15,10 +15,9 @@ check (const PointUpdateOptions& options)
   if (options.iterations < 0)
     throw Error ("the number of point iterations is " + std::to_string (options.iterations) + ": give 0 or more");
   if (!(options.sigma_s > 0))
-    throw Error ("sigma_s of the point update is " + std::to_string (options.sigma_s) + ": give a number above 0");
+    throw Error ("sigma_s of the point update is " + numberText (options.sigma_s) + ": give a number above 0");
   if (!(options.max_displacement > 0))
-    throw Error ("the maximal displacement is " + std::to_string (options.max_displacement) +
-                 ": give a length above 0");
+    throw Error ("the maximal displacement is " + numberText (options.max_displacement) + ": give a length above 0");
   if (options.search_interval < 0)
     throw Error ("the search interval is " + std::to_string (options.search_interval) + ": give 0 or more");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../search/kd_tree.h"
 #include <pcl_normal_smoothing/core/chain/surface_estimation.h>
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/search/kd_tree.h>
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/kernels.h>
+#include "../kernels.h"
 
 #include <vector>
 

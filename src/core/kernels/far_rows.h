@@ -22,7 +22,8 @@ public:
     }
   }
 
-  /** \param[out] index the neighbours at these ranks \param[out] there the ranks, from 1 to that of the last neighbour */
+  /** \param[out] index the neighbours at these ranks \param[out] there the ranks, from 1 to that of the last
+    * neighbour */
   LANES_INLINE void
   at (const std::int32_t* ranks, std::int32_t offset, std::uint32_t* index, std::int32_t* there) const
   {
@@ -38,8 +39,8 @@ private:
   std::int32_t last_[lane_count];
 };
 
-/** The ranks of what stands in the lanes' far rows: see core/rounds/far_rows.h. A node is never its own neighbour, which
-  * kernels expect at the end of a row alone. */
+/** The ranks of what stands in the lanes' far rows: see core/rounds/far_rows.h. A node is never its own neighbour,
+  * which kernels expect at the end of a row alone. */
 LANES_INLINE void
 findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
 {
@@ -51,7 +52,7 @@ findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
   std::uint32_t lengths[lane_count];
   for (int lane = 0; lane < lane_count; ++lane)
     lengths[lane] = step.row_lengths[own[lane]];
-  for (std::uint32_t slot = 0; slot < far_row_length; ++slot) {
+  for (std::size_t slot = 0; slot < far_row_length; ++slot) {
     std::int32_t seeds[lane_count];
     std::uint32_t neighbor[lane_count];
     for (int lane = 0; lane < lane_count; ++lane) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../spacing.h"
 #include "local_points.h"
 #include "normal_filter.h"
 
@@ -10,9 +11,9 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** Moves the lanes' points along the surface, away from those that came closer than they were, and closer than half of the
-  * spacing: half of what is missing, the other one moves the rest. Beside an edge nothing moves: along one of its planes a point would
-  * leave the other. */
+/** Moves the lanes' points along the surface, away from those that came closer than they were, and closer than half of
+  * the spacing: half of what is missing, the other one moves the rest. Beside an edge nothing moves: along one of its
+  * planes a point would leave the other. */
 LANES_INLINE void
 keepApart (const KeepApartStep& step, const BlockRows& rows, int first)
 {
@@ -26,7 +27,7 @@ keepApart (const KeepApartStep& step, const BlockRows& rows, int first)
     const Lanes3 way = before.difference (own + block_size * j);
     sq_reach = isOther (own + block_size * j, own) ? dot (way, way) : sq_reach;
   }
-  const Lanes spacing = 0.62665707f * squareRoot (sq_reach); // sqrt (pi / 8)
+  const Lanes spacing = float (spacing_of_eighth) * squareRoot (sq_reach);
   Mask may_move = normal.x == normal.x;
   Lanes3 sum = {};
   for (std::size_t j = 1; j < count; ++j) {

@@ -22,8 +22,8 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 #define LANES_SHUFFLE(a, b, p, q, r, s) __builtin_shufflevector (a, b, p, q, r, s)
 #endif
 
-/** Vectors of two or three floats, taken apart: four numbers of each are read, whatever they are, and transposed. That costs
-  * half of what gathering single numbers does. */
+/** Vectors of two or three floats, taken apart: four numbers of each are read, whatever they are, and transposed. That
+  * costs half of what gathering single numbers does. */
 class Transposition
 {
 public:
@@ -74,7 +74,8 @@ private:
   Lanes a_, b_, c_, d_; // the first of every four vectors, the second ones ...
 };
 
-/** Puts the vectors that \a index names, of each of some arrays, to its transposition: an index is read once for all. */
+/** Puts the vectors that \a index names, of each of some arrays, to its transposition: an index is read once for
+  * all. */
 template <int dimension, int row = 0, typename... Pairs>
 LANES_INLINE void
 transpose (const std::uint32_t* index, Pairs&&... pairs)
@@ -224,7 +225,8 @@ private:
 constexpr std::uint32_t no_nodes[block_size] = {~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u,
                                                 ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u};
 
-/** Ones in the lanes whose neighbour is not the node itself: a row that is shorter than its block's repeats the node. */
+/** Ones in the lanes whose neighbour is not the node itself: a row that is shorter than its block's repeats the
+  * node. */
 LANES_INLINE Mask
 isOther (const std::uint32_t* neighbor, const std::uint32_t* own)
 {

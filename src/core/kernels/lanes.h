@@ -9,9 +9,9 @@
 #include <immintrin.h>
 #endif
 
-// Files that include this are compiled once for every instruction set, each into a namespace of its own. They hold plain
-// arithmetic on arrays and nothing of Eigen or the standard library, so that no code for a newer machine leaks into
-// functions that all share.
+// Files that include this are compiled once for every instruction set, each into a namespace of its own. They hold
+// plain arithmetic on arrays and nothing of Eigen or the standard library, so that no code for a newer machine leaks
+// into functions that all share.
 #ifndef PCL_NORMAL_SMOOTHING_ISA
 #error "compile the kernels with PCL_NORMAL_SMOOTHING_ISA set to a namespace"
 #endif
@@ -189,8 +189,8 @@ expOfMinus (Lanes x)
 {
   // exp (-x) = 2^n 2^-r, n = round (-x / ln 2), |r| <= 1 / 2.
   constexpr float log2_e = 1.44269504f;
-  // 1.5 * 2^23 leaves the integer in the low bits of what it is added to; there 127 makes n an exponent field: from n = -127
-  // on that of zero.
+  // 1.5 * 2^23 leaves the integer in the low bits of what it is added to; there 127 makes n an exponent field: from n =
+  // -127 on that of zero.
   constexpr float round_to_integer = 12582912.0f + 127;
   const Lanes power_of_half = minimum (splat (127.0f), x * log2_e);
   const Lanes shifted = round_to_integer - power_of_half;

@@ -4,7 +4,8 @@
 #include "lane_vectors.h"
 #include "quadric.h"
 
-#include <pcl_normal_smoothing/core/kernels.h>
+#include "../kernels.h"
+#include "../limits.h"
 
 namespace pcl_normal_smoothing
 {
@@ -12,11 +13,8 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-constexpr std::size_t max_fit_neighbors = 32;
-// A quadric has six coefficients.
-constexpr float min_fit_points = 7;
-
-/** (1 - x / 16)^16, zero from x = 16 on: as good a bell as exp (-x) where a weight is all that is wanted. x >= 0 or NaN */
+/** (1 - x / 16)^16, zero from x = 16 on: as good a bell as exp (-x) where a weight is all that is wanted. x >= 0 or
+  * NaN */
 LANES_INLINE Lanes
 bell (Lanes x)
 {
@@ -75,7 +73,7 @@ struct LocalPointsOf
   }
 };
 
-using LocalPoints = LocalPointsOf<max_fit_neighbors>;
+using LocalPoints = LocalPointsOf<max_row_length>;
 
 /** The normal of the plane through the points, about their weighted centroid. */
 template <std::size_t max_count>
@@ -100,7 +98,7 @@ planeNormal (const LocalPointsOf<max_count>& local, const Lanes* weights)
 LANES_INLINE Lanes3
 weightedPlaneNormal (const LocalPoints& local)
 {
-  Lanes weights[max_fit_neighbors];
+  Lanes weights[max_row_length];
   for (std::size_t j = 0; j < local.count; ++j) {
     const Lanes sq_dist = dot (local.at[j], local.at[j]);
     weights[j] = sq_dist > 0 ? local.one[j] / squareRoot (maximum (sq_dist, splat (1e-12f))) : splat (0);
@@ -108,8 +106,8 @@ weightedPlaneNormal (const LocalPoints& local)
   return planeNormal (local, weights);
 }
 
-/** The normals that the rounds start from; NaN where a row has fewer than 3 points or they are all equal. In a row of 3 the two
-  * others lie on a line, and rounding decides. */
+/** The normals that the rounds start from; NaN where a row has fewer than 3 points or they are all equal. In a row of 3
+  * the two others lie on a line, and rounding decides. */
 LANES_INLINE void
 startNormals (const NormalOfNodes& normals, const BlockRows& rows, int first)
 {

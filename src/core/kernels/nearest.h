@@ -3,7 +3,7 @@
 
 #include "lanes.h"
 
-#include <pcl_normal_smoothing/core/kernels.h>
+#include "../kernels.h"
 
 namespace pcl_normal_smoothing
 {
@@ -32,8 +32,8 @@ struct NearCandidates
   std::size_t size;
 };
 
-// appendNear, for every instruction set: appends those of the first count lanes that are not farther than the bound. The candidate of
-// lane 0 has the number first.
+// appendNear, for every instruction set: appends those of the first count lanes that are not farther than the bound.
+// The candidate of lane 0 has the number first.
 #if defined(__AVX512F__)
 
 LANES_INLINE void
@@ -94,8 +94,9 @@ appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count
 
 #endif
 
-/** The candidates that are not farther than the bound, and their squared distances. Both arguments are copies: what is stored
-  * might lie in those of the caller for all that the compiler knows, and each would be read again for every vector. */
+/** The candidates that are not farther than the bound, and their squared distances. Both arguments are copies: what is
+  * stored might lie in those of the caller for all that the compiler knows, and each would be read again for every
+  * vector. */
 LANES_INLINE std::size_t
 selectNear (const Candidates candidates, const CandidateQuery query, float* sq_dists, std::uint32_t* selected)
 {
@@ -109,7 +110,8 @@ selectNear (const Candidates candidates, const CandidateQuery query, float* sq_d
 }
 
 /** How many of \a count keys are smaller than each of them.
-  * \return whether all keys differ: where two are equal, no key has the rank of the second, and the ranks sum up to less */
+  * \return whether all keys differ: where two are equal, no key has the rank of the second, and the ranks sum up to
+  * less */
 LANES_INLINE bool
 rankKeys (const float* keys, std::size_t count, std::int32_t* ranks)
 {

@@ -3,14 +3,14 @@
 
 #include "lane_vectors.h"
 
+#include "../limits.h"
+
 namespace pcl_normal_smoothing
 {
 namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-constexpr std::size_t max_kept_neighbors = 32;
-
 /** What is read of all neighbours of the lanes' points, kept where there is room: it is needed twice.
   * \tparam Read gives a Value of the lanes' j-th neighbours */
 template <typename Value, typename Read>
@@ -18,7 +18,7 @@ class NeighborValues
 {
 public:
   LANES_INLINE
-  NeighborValues (const Read& read, std::size_t length) : read_ (read), kept_ (length <= max_kept_neighbors)
+  NeighborValues (const Read& read, std::size_t length) : read_ (read), kept_ (length <= max_row_length)
   {
     for (std::size_t j = 0; kept_ && j < length; ++j)
       values_[j] = read (j);
@@ -33,7 +33,7 @@ public:
 private:
   const Read& read_;
   bool kept_;
-  Value values_[max_kept_neighbors];
+  Value values_[max_row_length];
 };
 } // namespace PCL_NORMAL_SMOOTHING_ISA
 } // namespace core

@@ -3,7 +3,7 @@
 
 #include "neighbor_values.h"
 
-#include <pcl_normal_smoothing/core/kernels.h>
+#include "../kernels.h"
 
 namespace pcl_normal_smoothing
 {
@@ -35,7 +35,8 @@ distanceWeights (const DistanceWeights& task, const BlockRows& rows, int first)
   }
 }
 
-/** n_i.s n_j of unit normals, s the sign that turns n_j to the side of n_i where normals are not oriented. NaN where one is. */
+/** n_i.s n_j of unit normals, s the sign that turns n_j to the side of n_i where normals are not oriented. NaN where
+  * one is. */
 LANES_INLINE Lanes
 similarity (Lanes cosine, bool oriented)
 {

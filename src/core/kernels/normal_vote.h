@@ -11,13 +11,13 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 {
 constexpr std::size_t max_candidates = 16;
 
-/** How much of its neighbourhood agrees with a candidate. A neighbour's share, exp (-d^2 / (2 .5^2)) in units of the reach, is its
-  * exponent. */
+/** How much of its neighbourhood agrees with a candidate. A neighbour's share, exp (-d^2 / (2 .5^2)) in units of the
+  * reach, is its exponent. */
 struct Electorate
 {
   const LocalPoints& local;
-  Lanes exponents[max_fit_neighbors];
-  Lanes3 normals[max_fit_neighbors]; // only where they count
+  Lanes exponents[max_row_length];
+  Lanes3 normals[max_row_length]; // only where they count
   Lanes height_factor;
 
   LANES_INLINE
@@ -56,7 +56,8 @@ struct Electorate
   }
 };
 
-/** Of the normals of the nearest points, the point's own first, elects that which has most of the neighbourhood for it. */
+/** Of the normals of the nearest points, the point's own first, elects that which has most of the neighbourhood for
+  * it. */
 LANES_INLINE void
 electNormals (const NormalVoteStep& step, const BlockRows& rows, int first)
 {

@@ -3,7 +3,7 @@
 
 #include "lane_vectors.h"
 
-#include <pcl_normal_smoothing/core/kernels.h>
+#include "../kernels.h"
 
 namespace pcl_normal_smoothing
 {

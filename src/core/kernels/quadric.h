@@ -15,7 +15,8 @@ normalized (Lanes3 a)
   return (1 / squareRoot (maximum (dot (a, a), splat (1e-30f)))) * a;
 }
 
-/** Axes that make a right-handed frame with a normal (Duff et al., "Building an Orthonormal Basis, Revisited", 2017). */
+/** Axes that make a right-handed frame with a normal (Duff et al., "Building an Orthonormal Basis, Revisited",
+  * 2017). */
 struct Frame
 {
   Lanes3 normal, u, v;
@@ -113,7 +114,8 @@ private:
 };
 
 /** The eigenvector of the smallest eigenvalue of a symmetric positive semidefinite matrix
-  * xx xy xz / xy yy yz / xz yz zz: the adjugate has it as that of its largest, and squaring it drives out the others. */
+  * xx xy xz / xy yy yz / xz yz zz: the adjugate has it as that of its largest, and squaring it drives out the
+  * others. */
 LANES_INLINE Lanes3
 smallestEigenvector (Lanes xx, Lanes xy, Lanes xz, Lanes yy, Lanes yz, Lanes zz)
 {

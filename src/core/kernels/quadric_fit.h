@@ -13,7 +13,7 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 /** The neighbourhoods of the lanes' points as heights over a plane. */
 struct HeightField
 {
-  Lanes u[max_fit_neighbors], v[max_fit_neighbors], height[max_fit_neighbors];
+  Lanes u[max_row_length], v[max_row_length], height[max_row_length];
 
   LANES_INLINE
   HeightField (const LocalPoints& local, const Frame& frame)
@@ -63,7 +63,7 @@ residualVariances (const NumberOfNodes& variances, const BlockRows& rows, int fi
   }
   const Lanes size = local.size ();
   variance *= local.reach * local.reach / (size - 6);
-  const Mask valid = (size >= min_fit_points) & (local.reach > 0);
+  const Mask valid = (size >= float (min_fit_points)) & (local.reach > 0);
   store1 (variances.numbers, own, valid ? variance : splat (__builtin_nanf ("")));
 }
 
@@ -86,15 +86,16 @@ neighborExponents (const QuadricFitStep& step,
   }
 }
 
-/** Fits a quadric to every neighbourhood, in the frame of the point's normal, again and again, a point's distance from the
-  * last fit weighing it; the normal becomes that of the quadric at the point. Where there are too few points it stays. */
+/** Fits a quadric to every neighbourhood, in the frame of the point's normal, again and again, a point's distance from
+  * the last fit weighing it; the normal becomes that of the quadric at the point. Where there are too few points it
+  * stays. */
 LANES_INLINE void
 fitNormals (const QuadricFitStep& step, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const LocalPoints local (step.nodes, rows, own);
   const Lanes3 own_normal = load3 (step.nodes.normals, own);
-  Lanes exponents[max_fit_neighbors], weights[max_fit_neighbors];
+  Lanes exponents[max_row_length], weights[max_row_length];
   neighborExponents (step, local, own, own_normal, exponents);
   for (std::size_t j = 0; j < local.count; ++j)
     weights[j] = local.one[j] * bell (exponents[j]);
@@ -117,7 +118,7 @@ fitNormals (const QuadricFitStep& step, const BlockRows& rows, int first)
     quadric = fitQuadric (field, local.count, weights, step.ridge);
   }
   const Lanes3 fitted = quadric.normal (frame);
-  const Mask valid = (local.size () >= min_fit_points) & (dot (fitted, fitted) > 0.5f);
+  const Mask valid = (local.size () >= float (min_fit_points)) & (dot (fitted, fitted) > 0.5f);
   store3 (step.fitted, own, choose (valid, fitted, own_normal));
 }
 } // namespace PCL_NORMAL_SMOOTHING_ISA

@@ -17,8 +17,9 @@ gainOf (const StepGain& gain, const std::uint32_t* own)
   return gain.usual * load1OrOne (gain.factors, own);
 }
 
-/** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and |d.n|.
-  * The first is bounded: an outlier, which goes the same way round after round, says nothing of the points around. */
+/** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and
+  * |d.n|. The first is bounded: an outlier, which goes the same way round after round, says nothing of the points
+  * around. */
 LANES_INLINE void
 stepRisks (const StepRisks& task, const BlockRows& rows, int first)
 {
@@ -59,7 +60,7 @@ averageRisks (const RiskAverages& task, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const std::uint8_t* weights = task.weights + rows.pairs_begin + first;
-  const std::size_t count = rows.length < max_fit_neighbors ? rows.length : max_fit_neighbors;
+  const std::size_t count = rows.length < max_row_length ? rows.length : max_row_length;
   Lanes sum_product = {}, sum_size = {}, sum = {};
   const auto add = [&] (Mask number, std::size_t j) LANES_LAMBDA {
     const Lanes weight = __builtin_convertvector(number, Lanes);
@@ -78,9 +79,9 @@ averageRisks (const RiskAverages& task, const BlockRows& rows, int first)
   store2 (task.averaged, own, {scale * sum_product, scale * sum_size});
 }
 
-/** Takes the share of the proposed step that the risk allows: with a and s the averages of stepRisks, the mean square of
-  * the step is q = (pi / 2) s^2 (of a Gaussian, from its mean size: heavy tails count less), and the share is the fourth power
-  * of (gain - a) / q within [0, 1]: nearly all of the step or little. */
+/** Takes the share of the proposed step that the risk allows: with a and s the averages of stepRisks, the mean square
+  * of the step is q = (pi / 2) s^2 (of a Gaussian, from its mean size: heavy tails count less), and the share is the
+  * fourth power of (gain - a) / q within [0, 1]: nearly all of the step or little. */
 LANES_INLINE void
 takeSteps (const StepsToTake& task, const BlockRows& rows, int first)
 {

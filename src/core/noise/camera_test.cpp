@@ -3,7 +3,7 @@
 
 #include "../quantile.h"
 
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include "../search/hash_sample.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 #include "../quantile.h"
 #include "differences.h"
 
-#include <pcl_normal_smoothing/core/noise/cloud_thickness.h>
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include "../search/hash_sample.h"
+#include "cloud_thickness.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 #include "layer_test.h"
 #include "thinned_sample.h"
 
-#include <pcl_normal_smoothing/core/noise/coordinate_rounding.h>
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include "../search/hash_sample.h"
+#include "coordinate_rounding.h"
 
 #include <algorithm>
 #include <cmath>

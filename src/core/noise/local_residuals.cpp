@@ -2,6 +2,7 @@
 #include "local_residuals.h"
 
 #include "../quantile.h"
+#include "../spacing.h"
 #include "noise_reach.h"
 #include "residual_quantiles.h"
 
@@ -46,7 +47,7 @@ sigmaOfLargest (const NoiseSample::Residuals& residuals)
 float
 spacingAt (const NoiseSample::Residuals& residuals)
 {
-  return static_cast<float> (spacing_of_reach) * residuals.distance;
+  return static_cast<float> (spacing_of_eighth) * residuals.distance;
 }
 
 double

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../nodes_where.h"
 
-#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
+#include "neighborhood_widening.h"
 
-#include <pcl_normal_smoothing/core/noise/quadric_projection.h>
-#include <pcl_normal_smoothing/core/search/thinned_cloud.h>
+#include "../search/thinned_cloud.h"
+#include "quadric_projection.h"
 
 #include <algorithm>
 #include <cmath>

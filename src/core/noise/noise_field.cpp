@@ -3,8 +3,8 @@
 #include "../ramp.h"
 #include "residual_quantiles.h"
 
+#include "noise_sample.h"
 #include <pcl_normal_smoothing/core/noise/noise_field.h>
-#include <pcl_normal_smoothing/core/noise/noise_sample.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,8 @@ constexpr std::size_t min_regions = 4;
 // No region is read as less or more: nothing divides by zero.
 constexpr float max_factor = 32;
 
-/** How far regions are apart by chance, as the ratio of the 9th decile to the 1st, and by detail that looks like noise. */
+/** How far regions are apart by chance, as the ratio of the 9th decile to the 1st, and by detail that looks like
+  * noise. */
 double
 spreadByChance (double ratio)
 {
@@ -36,13 +37,15 @@ struct LowerQuantile
   double level;
   /** The upper quartile over it, of what twelve points leave of one noise: see quartile_ratio_of_12. */
   float of_noise;
-  /** More than that, as a ratio of sigmas, is detail's. Noise of cameras and scanners, edges among it: 1.16 and 1.35. */
+  /** More than that, as a ratio of sigmas, is detail's. Noise of cameras and scanners, edges among it: 1.16 and
+    * 1.35. */
   double of_detail;
 };
 
 // Relief that is denser spoils the lower quartile too.
 constexpr LowerQuantile lower_quantiles[] = {{.25, static_cast<float> (quartile_ratio_of_12), 1.2}, {.1, 3.557f, 1.4}};
-// Regions of smaller clouds are so large a part of them that noise and curvature vary inside; a hash does not choose a sample to the point.
+// Regions of smaller clouds are so large a part of them that noise and curvature vary inside; a hash does not choose a
+// sample to the point.
 constexpr std::size_t least_to_see_detail = noise_sample_size * 3 / 4;
 
 /** 0: the regions differ by chance. */

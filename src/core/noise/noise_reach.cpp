@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "noise_reach.h"
 
+#include "../spacing.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,7 +47,7 @@ localRatios (ThinnedNoise& noise, int halvings, float sigma)
   const NoiseEstimate& shown = noise.noise (halvings);
   std::vector<LocalValue> ratios;
   for (const NoiseSample::Residuals& residuals : noise.sample (halvings).of_nodes) {
-    const double spacing = std::max<double> (spacing_of_reach * residuals.distance, 1e-3 * shown.spacing);
+    const double spacing = std::max<double> (spacing_of_eighth * residuals.distance, 1e-3 * shown.spacing);
     const double ratio = sigma * shown.field.factorAt (residuals.place) / spacing * std::exp2 (.5 * halvings);
     ratios.push_back ({residuals.place, static_cast<float> (ratio)});
   }

@@ -17,9 +17,6 @@ constexpr double resolved_ratio = .3;
   * it drops less. */
 constexpr double resolved_drop = .83;
 
-/** Of the distance of the eighth point, as in the estimate of the noise: sqrt (pi / 8). */
-constexpr double spacing_of_reach = .6267;
-
 /** So often neighbourhoods may grow beyond the halving that shows the noise, where what quadrics leave grows by no more
   * than that: one that misses a third of sigma in detail leaves 1.05 times as much. */
 constexpr int most_halvings_without_loss = 2;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/noise/noise_sample.h>
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/search/kd_tree.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
+#include "noise_sample.h"
+#include "../search/hash_sample.h"
+#include "../search/kd_tree.h"
+#include "../search/node_blocks.h"
 
 #include <algorithm>
 
@@ -85,8 +85,8 @@ searchedRows (const NeighborGraph& graph,
   return rows;
 }
 
-/** The rows of some nodes side by side, as a graph keeps those of a block, of positions of their own: those of the cloud, and a number for
-  * every one of them, lie far apart in memory. */
+/** The rows of some nodes side by side, as a graph keeps those of a block, of positions of their own: those of the
+  * cloud, and a number for every one of them, lie far apart in memory. */
 class SampleBlock
 {
 public:

@@ -36,8 +36,8 @@ struct NoiseSample
   void
   join (const NoiseSample& part);
 
-  /** Leaves out nodes whose eight nearest lie in one plane exactly: in a layer they tell nothing. \return their number
-    * */
+  /** Leaves out nodes whose eight nearest lie in one plane exactly: in a layer they tell nothing. \return their
+    * number */
   std::size_t
   dropPlanes ();
 };

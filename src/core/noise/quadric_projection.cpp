@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../quantile.h"
 
-#include <pcl_normal_smoothing/core/noise/quadric_projection.h>
+#include "quadric_projection.h"
 
-#include <pcl_normal_smoothing/core/noise/wide_noise.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
-#include <pcl_normal_smoothing/core/search/thinned_cloud.h>
+#include "../search/node_blocks.h"
+#include "../search/thinned_cloud.h"
+#include "wide_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,8 @@ namespace core
 {
 namespace
 {
-// Of neighbours, times the ratio of sigma to the spacing: 3.2 sigma are within reach where they are equal, 2.1 where it is 2.3.
+// Of neighbours, times the ratio of sigma to the spacing: 3.2 sigma are within reach where they are equal, 2.1 where it
+// is 2.3.
 constexpr float neighbors_of_ratio = 32;
 constexpr long least_neighbors = 32;
 // Of sigma, after a projection; from that ratio on another one is worth its detail.

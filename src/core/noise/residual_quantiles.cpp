@@ -38,8 +38,9 @@ ratioOfSigmas (double a, double b)
   return a == b ? 1 : std::sqrt (a / b);
 }
 
-/** The variance at no size of neighbourhood, from those at a small and a large one: curvature adds to the larger more. But
-  * where it is many times the smaller, the neighbourhoods do not fit a quadric, and the difference tells nothing. */
+/** The variance at no size of neighbourhood, from those at a small and a large one: curvature adds to the larger more.
+  * But where it is many times the smaller, the neighbourhoods do not fit a quadric, and the difference tells
+  * nothing. */
 double
 extrapolated (double small, double large, double slope, double largest_excess)
 {
@@ -54,14 +55,16 @@ isQuantised (double by_8, double by_12, double by_16)
   return by_12 > 5 * by_8 && by_16 < 1.4 * by_12;
 }
 
-/** How much more quadrics leave of the largest neighbourhoods than of the smallest, as a ratio of sigmas: 1 without detail. */
+/** How much more quadrics leave of the largest neighbourhoods than of the smallest, as a ratio of sigmas: 1 without
+  * detail. */
 double
 growthOf (const Quantile& by, const ResidualVariances& variances)
 {
   return ratioOfSigmas (varianceBy (by, variances, of_16), varianceBy (by, variances, of_8));
 }
 
-/** Where dense relief spoils the lower quartile too, but below that there is one noise. \return at most \a sigma, of all the others */
+/** Where dense relief spoils the lower quartile too, but below that there is one noise. \return at most \a sigma, of
+  * all the others */
 double
 sigmaInRelief (const ResidualVariances& variances, double sigma)
 {
@@ -85,8 +88,8 @@ leastSigma (const ResidualVariances& variances)
   return sigmaInRelief (variances, std::sqrt (std::min ({1.1 * low, 1.05 * middle, std::max (high, .75 * least)})));
 }
 
-/** How sure it is, 0 to 1, that the eight nearest tell nothing: they leave far less than twelve, though these leave hardly
-  * less than sixteen, as they do of detail, and much the same everywhere, as they do not of relief. */
+/** How sure it is, 0 to 1, that the eight nearest tell nothing: they leave far less than twelve, though these leave
+  * hardly less than sixteen, as they do of detail, and much the same everywhere, as they do not of relief. */
 double
 certaintyOfClumps (const ResidualVariances& variances)
 {
@@ -103,7 +106,8 @@ certaintyOfClumps (const ResidualVariances& variances)
                sure_of_lowest - least_of_lowest);
 }
 
-/** Of surfaces that face the rays, on the large side: slanting ones are no worse for it. Outliers do not reach the median. */
+/** Of surfaces that face the rays, on the large side: slanting ones are no worse for it. Outliers do not reach the
+  * median. */
 double
 facingSigma (const ResidualVariances& variances)
 {

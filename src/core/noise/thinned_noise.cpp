@@ -4,9 +4,9 @@
 #include "../quantile.h"
 #include "thinned_sample.h"
 
-#include <pcl_normal_smoothing/core/noise/cloud_thickness.h>
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/search/thinned_cloud.h>
+#include "../search/hash_sample.h"
+#include "../search/thinned_cloud.h"
+#include "cloud_thickness.h"
 
 #include <algorithm>
 #include <cmath>

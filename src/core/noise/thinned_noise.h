@@ -2,6 +2,7 @@
 #pragma once
 
 #include "differences.h"
+#include "noise_sample.h"
 
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 

@@ -3,9 +3,9 @@
 #include "residual_quantiles.h"
 #include "wide_noise_of_part.h"
 
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_detection.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_test.h>
+#include "../search/hash_sample.h"
+#include "../sheets/sheet_detection.h"
+#include "../sheets/sheet_test.h"
 
 #include <algorithm>
 #include <cmath>

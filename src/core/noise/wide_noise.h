@@ -31,8 +31,8 @@ struct WideNoise
   /** The ratio of sigma to the spacing, likewise, where such neighbourhoods would lose detail: points had better be
     * projected first (core/noise/quadric_projection.h), and neighbourhoods stay as they are. Else without regions. */
   RegionalField ratios;
-  /** False: only in a part of the cloud; sigma and its field are those of all of it, and \a halvings are 0 elsewhere.
-    * */
+  /** False: only in a part of the cloud; sigma and its field are those of all of it, and \a halvings are 0
+    * elsewhere. */
   bool is_everywhere = true;
 };
 

@@ -3,7 +3,7 @@
 
 #include "thinned_noise.h"
 
-#include <pcl_normal_smoothing/core/noise/wide_noise.h>
+#include "wide_noise.h"
 
 namespace pcl_normal_smoothing
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "round_schedule.h"
 
-#include <pcl_normal_smoothing/core/rounds/far_rows.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
+#include "../search/node_blocks.h"
+#include "far_rows.h"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ FarRows::FarRows (const NeighborGraph& graph, const NodeArrays& nodes, const Exe
     block_rows[block] = graph.blockRows (block);
   parallelFor (graph.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node)
-      row_lengths_[node] = static_cast<std::uint8_t> (std::min (graph.row (node).size (), max_k));
+      row_lengths_[node] = static_cast<std::uint8_t> (std::min (graph.row (node).size (), max_row_length));
   });
   // Lanes behind the last node may be left out.
   std::fill (ranks_.end () - static_cast<std::ptrdiff_t> (std::min (ranks_.size (), block_size * far_row_length)),
@@ -36,7 +36,7 @@ FarRows::ofBlock (const BlockRows& rows, Buffer& buffer) const
     lengths[lane] = row_lengths_[rows.neighbors[lane]];
   for (std::size_t slot = 0; slot < far_row_length; ++slot)
     for (std::size_t lane = 0; lane < block_size; ++lane) {
-      const std::size_t seed = seedRank (static_cast<std::uint32_t> (slot), lengths[lane]);
+      const std::size_t seed = seedRank (slot, lengths[lane]);
       const std::uint32_t neighbor = rows.neighbors[seed * block_size + lane];
       const std::size_t i = slot * block_size + lane;
       buffer.neighbors[i] = graph_.blockRows (neighbor / block_size)[neighbor % block_size + ranks[i] * block_size];

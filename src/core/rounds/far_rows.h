@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/kernels.h>
+#include "../kernels.h"
 #include <pcl_normal_smoothing/core/padded_allocator.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 

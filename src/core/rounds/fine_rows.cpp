@@ -13,11 +13,11 @@ namespace
 // Of sigma to the spacing. The fine_k nearest reach 3.8 sigmas then.
 constexpr float wide_ratio = .6f;
 
-/** How far apart points are, from the distance of the farthest of the max_k nearest. */
+/** How far apart points are, from the distance of the farthest of the max_row_length nearest. */
 float
 spacingIn (const Row& row, const Positions& positions)
 {
-  const std::size_t size = std::min (row.size (), max_k);
+  const std::size_t size = std::min (row.size (), max_row_length);
   const std::uint32_t own = row[0], farthest = row[size - 1];
   const Eigen::Vector3f reach =
       (positions.base[farthest] - positions.base[own]) + (positions.offset[farthest] - positions.offset[own]);
@@ -28,7 +28,7 @@ spacingIn (const Row& row, const Positions& positions)
 float
 meanIn (const Row& row, const Numbers& spacings)
 {
-  const std::size_t size = std::min (row.size (), max_k);
+  const std::size_t size = std::min (row.size (), max_row_length);
   float sum = 0;
   for (std::size_t j = 0; j < size; ++j)
     sum += spacings[row[j]];
@@ -61,7 +61,7 @@ FineRows::FineRows (const NeighborGraph& graph,
 BlockRows
 FineRows::ofBlock (const BlockRows& rows, Buffer& buffer) const
 {
-  const std::size_t length = std::min (rows.length, max_k);
+  const std::size_t length = std::min (rows.length, max_row_length);
   const auto isWide = [&] (std::size_t lane) { return is_wide_[rows.neighbors[lane]] != 0; };
   std::size_t wide = 0;
   for (std::size_t lane = 0; lane < block_size && !areAllFine (); ++lane)

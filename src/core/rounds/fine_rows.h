@@ -3,7 +3,7 @@
 
 #include "round_schedule.h"
 
-#include <pcl_normal_smoothing/core/kernels.h>
+#include "../kernels.h"
 #include <pcl_normal_smoothing/core/padded_allocator.h>
 #include <pcl_normal_smoothing/core/positions.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
@@ -12,15 +12,15 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The neighbourhoods of the fine rounds: the fine_k nearest where these reach out of the noise; max_k where they would be lost in
-  * it, which is in dense places first. */
+/** The neighbourhoods of the fine rounds: the fine_k nearest where these reach out of the noise; max_row_length where
+  * they would be lost in it, which is in dense places first. */
 class FineRows
 {
 public:
   /** What the rows of a block are put into. */
   struct alignas (64) Buffer
   {
-    std::uint32_t neighbors[max_k * block_size];
+    std::uint32_t neighbors[max_row_length * block_size];
   };
 
   /** All nodes look at fine_k. \param[in] graph kept while this is used */
@@ -37,7 +37,7 @@ public:
             const Numbers& variance_factors,
             const Execution& execution);
 
-  /** No node looks at max_k. */
+  /** No node looks at max_row_length. */
   bool
   areAllFine () const
   {
@@ -49,7 +49,7 @@ public:
   ofBlock (const BlockRows& rows, Buffer& buffer) const;
 
   /** \param[in] factors of all nodes; null: 1
-    * \return the same, times \a wide_factor where a node looks at max_k; empty where no node does */
+    * \return the same, times \a wide_factor where a node looks at max_row_length; empty where no node does */
   Numbers
   scaledWhereWide (const float* factors, float wide_factor) const;
 

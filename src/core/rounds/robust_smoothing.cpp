@@ -3,11 +3,11 @@
 #include "ray_motion.h"
 #include "step_taking.h"
 
+#include "../search/node_blocks.h"
+#include "far_rows.h"
 #include <pcl_normal_smoothing/core/chain/normal_filter.h>
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/rounds/far_rows.h>
 #include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,22 +22,21 @@ void
 check (const RobustSmoothingOptions& options)
 {
   if (!(options.noise.sigma >= 0) || !(options.noise.spacing >= 0))
-    throw Error ("the noise's sigma is " + std::to_string (options.noise.sigma) + ", the spacing " +
-                 std::to_string (options.noise.spacing) + ": give lengths of at least 0");
+    throw Error ("the noise's sigma is " + numberText (options.noise.sigma) + ", the spacing " +
+                 numberText (options.noise.spacing) + ": give lengths of at least 0");
   if (options.rounds < 0 || options.rounds > max_rounds)
     throw Error ("the number of rounds is " + std::to_string (options.rounds) + ": give 0 to " +
                  std::to_string (max_rounds));
   if (!(options.sheet_distance >= 0))
-    throw Error ("the sheet distance is " + std::to_string (options.sheet_distance) + ": give a length of at least 0");
+    throw Error ("the sheet distance is " + numberText (options.sheet_distance) + ": give a length of at least 0");
   if (!(options.max_displacement > 0))
-    throw Error ("the maximal displacement is " + std::to_string (options.max_displacement) +
-                 ": give a length above 0");
+    throw Error ("the maximal displacement is " + numberText (options.max_displacement) + ": give a length above 0");
 }
 
 namespace
 {
-/** The state of the rounds and their steps, in order. A loop over the blocks that reads what the one before wrote for neighbours goes a hop
-  * farther: roundsDepth counts them. */
+/** The state of the rounds and their steps, in order. A loop over the blocks that reads what the one before wrote for
+  * neighbours goes a hop farther: roundsDepth counts them. */
 class Rounds
 {
 public:
@@ -111,7 +110,7 @@ private:
       FineRows::Buffer fine;
       body (far_       ? far_->ofBlock (rows, far)
             : is_fine_ ? fine_rows_.ofBlock (rows, fine)
-                       : BlockRows {rows.neighbors, std::min (rows.length, max_k)});
+                       : BlockRows {rows.neighbors, std::min (rows.length, max_row_length)});
     });
   }
 
@@ -145,7 +144,7 @@ private:
     step.all_normals = all_normals_;
     step.filtered = other_.data ()->data ();
     forRowsOfRound ([&] (const BlockRows& rows) {
-      std::uint16_t distance_weights[block_size * max_k];
+      std::uint16_t distance_weights[block_size * max_row_length];
       kernels ().distance_weights ({step.nodes, distance_weights}, rows);
       NormalFilterStep of_block = step;
       of_block.distance_weights = distance_weights;

@@ -76,8 +76,8 @@ roundsDepth (const RobustSmoothingOptions& options, int of_normals)
   if (options.rounds == 0)
     return of_normals;
   const RoundSchedule schedule = scheduleOf (options);
-  // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals too. Its row
-  // may be of FineRows, which read the neighbours' rows.
+  // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals
+  // too. Its row may be of FineRows, which read the neighbours' rows.
   const int of_neighbors = options.oriented ? of_normals : 0, of_row = schedule.fine_rounds > 0 ? 2 : 1;
   const int first_fit = std::max ({of_normals, of_row, 1 + of_neighbors});
   constexpr int fit = 1, update = 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "../limits.h"
 #include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
 
 #include <cstddef>
@@ -9,20 +10,18 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-constexpr int max_rounds = 6;
-/** How many points fine rounds and the others look at: the first of the node's row, itself counted. Far rounds look at
-  * others, which are not in it: see FarRows. */
+/** How many nodes fine rounds look at, others at max_row_length: the first of the node's row, itself counted. Far
+  * rounds look at others, which are not in it: see FarRows. */
 constexpr std::size_t fine_k = 16;
-constexpr std::size_t max_k = 32;
 
-/** How much is done in which round. A gain is what a step may cost: the covariance of the point after the first round with
-  * the step, on a plane of pure noise, in variances of the noise. */
+/** How much is done in which round. A gain is what a step may cost: the covariance of the point after the first round
+  * with the step, on a plane of pure noise, in variances of the noise. */
 struct RoundSchedule
 {
   int fine_rounds;     // with the smaller neighbourhood: FineRows
   int first_far_round; // from there on with one twice as wide: FarRows
   float gains[max_rounds];
-  float wide_gains[max_rounds]; // of nodes that look at max_k in the fine rounds too
+  float wide_gains[max_rounds]; // of nodes that look at max_row_length in the fine rounds too
   float tolerance;              // of the risk: a factor of the gains
   int solves[max_rounds];
   int averages;
@@ -42,13 +41,13 @@ noiseRatio (const RobustSmoothingOptions& options);
 float
 ridgeOf (const RobustSmoothingOptions& options);
 
-/** sigma_s of the pass over the fitted normals: what they scatter by the noise and not more, or curved surfaces become facets.
-  * 0: there is no pass. */
+/** sigma_s of the pass over the fitted normals: what they scatter by the noise and not more, or curved surfaces become
+  * facets. 0: there is no pass. */
 float
 filteringSigma (const RobustSmoothingOptions& options, int round);
 
-/** How far along the rows smoothRobustly looks: what becomes of a node depends on nodes that are so many hops off, and on the
-  * rows of those that are fewer hops off, on nothing else.
+/** How far along the rows smoothRobustly looks: what becomes of a node depends on nodes that are so many hops off, and
+  * on the rows of those that are fewer hops off, on nothing else.
   * \param[in] of_normals how far the normals look that it starts from */
 int
 roundsDepth (const RobustSmoothingOptions& options, int of_normals);

@@ -4,19 +4,19 @@
 #include "fine_rows.h"
 #include "round_schedule.h"
 
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
+#include "../search/node_blocks.h"
 
 namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Runs a kernel on all blocks, with the max_k nearest of every row. */
+/** Runs a kernel on all blocks, with the max_row_length nearest of every row. */
 template <typename Kernel, typename Task>
 void
 runOnNearest (const NeighborGraph& graph, const Execution& execution, const Kernel& kernel, const Task& task)
 {
   forEachBlock (graph, execution, [&] (const BlockRows& rows) {
-    kernel (task, BlockRows {rows.neighbors, std::min (rows.length, max_k), rows.begin, rows.pairs_begin});
+    kernel (task, BlockRows {rows.neighbors, std::min (rows.length, max_row_length), rows.begin, rows.pairs_begin});
   });
 }
 

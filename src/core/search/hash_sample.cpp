@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include "hash_sample.h"
 
 #include <algorithm>
 #include <iterator>
@@ -12,7 +12,8 @@ namespace
 {
 constexpr auto all = std::numeric_limits<std::uint32_t>::max ();
 
-/** Up to this there are as many nodes as are wanted, and hardly more than twice that, where each has a place of its own. */
+/** Up to this there are as many nodes as are wanted, and hardly more than twice that, where each has a place of its
+  * own. */
 std::uint32_t
 generousLimit (std::size_t nodes, std::size_t size)
 {

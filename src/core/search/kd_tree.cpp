@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/search/kd_tree.h>
-#include <pcl_normal_smoothing/core/search/select_nth.h>
+#include "kd_tree.h"
+#include "select_nth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +33,9 @@ KdTree::KdTree (const Positions& positions, const Elements& rank, const Executio
   fillSlots (positions, rank, execution);
 }
 
-// Offsets may be larger than the spacing (doubles far from the origin), so the tree takes them in, near the middle of the
-// cloud. That rounds: look a little farther, by the slack of a box, so that points far off cost nobody but themselves. What
-// is found is compared by exact distances and does not depend on it.
+// Offsets may be larger than the spacing (doubles far from the origin), so the tree takes them in, near the middle of
+// the cloud. That rounds: look a little farther, by the slack of a box, so that points far off cost nobody but
+// themselves. What is found is compared by exact distances and does not depend on it.
 void
 KdTree::chooseOrigin (const Positions& positions)
 {

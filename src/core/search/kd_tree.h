@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/kernels.h>
+#include "../kernels.h"
 #include <pcl_normal_smoothing/core/parallel_for.h>
 #include <pcl_normal_smoothing/core/positions.h>
 #include <pcl_normal_smoothing/core/search/neighbor.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/search/kd_tree.h>
+#include "kd_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +79,8 @@ KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisit
   const Range own = ranges_[leaf];
   const Box& box = boxes_[leaf];
   const Eigen::Array4f middle = 0.5f * box.low + 0.5f * box.high;
-  // A ball about the leaf's middle that holds k points bounds the distances of the k nearest of every point of the leaf.
+  // A ball about the leaf's middle that holds k points bounds the distances of the k nearest of every point of the
+  // leaf.
   std::size_t branch = leaf;
   while (branch > 0 && ranges_[branch].end - ranges_[branch].begin < 2 * std::size_t (query.k))
     branch = (branch - 1) / 2;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbor_graph_rows.h"
 
+#include "kd_tree.h"
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/core/search/kd_tree.h>
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbor_graph_rows.h"
 
-#include <pcl_normal_smoothing/core/search/kd_tree.h>
+#include "kd_tree.h"
 
 #include <numeric>
 #include <unordered_set>

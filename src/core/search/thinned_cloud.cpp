@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/search/thinned_cloud.h>
+#include "thinned_cloud.h"
 
 #include <utility>
 

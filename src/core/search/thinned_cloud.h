@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/search/kd_tree.h>
+#include "kd_tree.h"
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
 namespace pcl_normal_smoothing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/sheets/sheet_detection.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_test.h>
+#include "sheet_detection.h"
+#include "sheet_test.h"
 
 #include <algorithm>
 

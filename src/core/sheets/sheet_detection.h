@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/sheets/sheet_estimate.h>
+#include "sheet_estimate.h"
 
 #include <array>
 

@@ -2,8 +2,8 @@
 #include "../quantile.h"
 #include "sheet_normals.h"
 
-#include <pcl_normal_smoothing/core/sheets/sheet_estimate.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_test.h>
+#include "sheet_estimate.h"
+#include "sheet_test.h"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +17,12 @@ namespace
 {
 constexpr float min_share_beside = 0.1f;
 constexpr double min_peak_over_valley = 1.5;
-// The layers of a depth camera: points of one lie in a plane, but for this part of the step to the next; and that one lies so much
-// to one side (the median of SheetSample::sides), where a sheet lies above.
+// The layers of a depth camera: points of one lie in a plane, but for this part of the step to the next; and that one
+// lies so much to one side (the median of SheetSample::sides), where a sheet lies above.
 constexpr float least_sigma_of_gap = .01f;
 constexpr float side_of_layer = .6f;
-// Of a neighbourhood that is a ball inside wide noise, what lies far off the plane lies more to one side than any sheet's points do.
+// Of a neighbourhood that is a ball inside wide noise, what lies far off the plane lies more to one side than any
+// sheet's points do.
 constexpr float side_of_ball = .65f;
 
 /** Where the neighbours of a node on other sheets lie, seen along its normal: above it and below. */

@@ -35,8 +35,8 @@ struct SheetSample
   std::size_t nodes_beside = 0;
   /** How far the neighbours of those lie from the tangent planes. */
   std::vector<float> heights;
-  /** How much on one side of those their neighbours on another sheet lie, from 0, all around, to 1, in one direction.
-    * */
+  /** How much on one side of those their neighbours on another sheet lie, from 0, all around, to 1, in one
+    * direction. */
   std::vector<float> sides;
 
   void
@@ -46,8 +46,8 @@ struct SheetSample
 /** Places of which the sample is. */
 constexpr std::size_t sheet_sample_size = 1024;
 
-/** \param[in] sample nodes of the graph; what it tells depends on the rows of nodes up to sheet_sample_depth hops off
-  * */
+/** \param[in] sample nodes of the graph; what it tells depends on the rows of nodes up to sheet_sample_depth hops
+  * off */
 SheetSample
 sampleSheets (const NeighborGraph& graph,
               const Positions& positions,

@@ -3,8 +3,8 @@
 
 #include "../nodes_where.h"
 
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_test.h>
+#include "../search/node_blocks.h"
+#include "sheet_test.h"
 
 #include <algorithm>
 #include <limits>

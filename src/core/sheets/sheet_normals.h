@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/sheets/sheet_estimate.h>
+#include "sheet_estimate.h"
 
 namespace pcl_normal_smoothing
 {
@@ -11,9 +11,9 @@ namespace core
 std::vector<std::uint32_t>
 nodesInRows (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes, std::size_t max_length);
 
-/** Normals that hold where another sheet of the surface is as close as the points: those of the eight nearest, each node then
-  * taking the one of its neighbourhood that most of the points fit. Many a plane fitted to the nearest of both sheets is
-  * wrong, but hardly all.
+/** Normals that hold where another sheet of the surface is as close as the points: those of the eight nearest, each
+  * node then taking the one of its neighbourhood that most of the points fit. Many a plane fitted to the nearest of
+  * both sheets is wrong, but hardly all.
   * \param[in] by a point counts by a Gaussian of its height over the plane, of half of the distance
   * \param[in] nodes that get one; null: all */
 Vectors
@@ -23,8 +23,8 @@ electNormals (const NeighborGraph& graph,
               const std::vector<std::uint32_t>* nodes,
               const Execution& execution);
 
-/** A second vote, in which the normals around count too: along the outline of two sheets a plane across both has as many points
-  * as that of one, but not their normals.
+/** A second vote, in which the normals around count too: along the outline of two sheets a plane across both has as
+  * many points as that of one, but not their normals.
   * \param[in] normals of the first vote
   * \param[in] nodes that vote again */
 Vectors

@@ -2,9 +2,9 @@
 #include "../nodes_where.h"
 #include "sheet_normals.h"
 
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_separation.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_test.h>
+#include "../search/node_blocks.h"
+#include "sheet_separation.h"
+#include "sheet_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,8 +93,8 @@ private:
   std::vector<std::uint32_t> nodes_;
 };
 
-/** Writes the rows of nodes beside another sheet, from the neighbours of their neighbours on the own one: the first sheet_row_length of
-  * each, or long rows would take their length squared in time and memory. */
+/** Writes the rows of nodes beside another sheet, from the neighbours of their neighbours on the own one: the first
+  * sheet_row_length of each, or long rows would take their length squared in time and memory. */
 class OwnSheetRows
 {
 public:
@@ -129,8 +129,8 @@ private:
     return std::min (graph_.row (node).size (), sheet_row_length);
   }
 
-  /** How high the sheet of a node is above it: from the node on to where most of its neighbours are (mean shift). Counted from the node
-    * itself, one between two sheets would be given those that are as far off, and stay there. */
+  /** How high the sheet of a node is above it: from the node on to where most of its neighbours are (mean shift).
+    * Counted from the node itself, one between two sheets would be given those that are as far off, and stay there. */
   float
   sheetHeight (std::uint32_t node) const
   {
@@ -184,9 +184,9 @@ private:
 };
 } // namespace
 
-// The row of a node is written from the rows of its neighbours and the normals of theirs. A normal that is not given depends on
-// those of the first vote around it, the second also on whether one of the neighbours has others of another sheet near; and the
-// first elects among normals of the neighbours, which are estimated from their rows.
+// The row of a node is written from the rows of its neighbours and the normals of theirs. A normal that is not given
+// depends on those of the first vote around it, the second also on whether one of the neighbours has others of another
+// sheet near; and the first elects among normals of the neighbours, which are estimated from their rows.
 int
 separationDepth (const SheetSeparationOptions& options)
 {

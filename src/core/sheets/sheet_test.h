@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/kernels.h>
-#include <pcl_normal_smoothing/core/limits.h>
+#include "../kernels.h"
+#include "../limits.h"
+#include "../search/node_blocks.h"
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
 
 #include <cmath>
 

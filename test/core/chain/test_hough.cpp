@@ -139,6 +139,7 @@ TEST (Hough, RefusesParametersOutOfRange)
     refused ([=] (HoughOptions& options) { options.confidence = share; });
     refused ([=] (HoughOptions& options) { options.tolerance = share; });
   }
+  refused ([] (HoughOptions& options) { options.tolerance = 0.0009f; });
   for (const int number : {-1, 0, 1001}) {
     refused ([=] (HoughOptions& options) { options.bands = number; });
     refused ([=] (HoughOptions& options) { options.rotations = number; });

@@ -172,7 +172,7 @@ TEST (PointUpdate, RefusesOptionsOutOfRange)
   refused ([] (auto& options) { options.iterations = -3; }, "-3");
   refused ([] (auto& options) { options.search_interval = -2; }, "-2");
   for (const auto& [value, name] :
-       {std::pair (-0.25f, "-0.25"), std::pair (0.0f, "0.0"), std::pair (nan_float, "nan")}) {
+       {std::pair (-0.25f, "-0.25"), std::pair (0.0f, "is 0:"), std::pair (nan_float, "nan")}) {
     refused ([v = value] (auto& options) { options.sigma_s = v; }, name);
     refused ([v = value] (auto& options) { options.max_displacement = v; }, name);
   }

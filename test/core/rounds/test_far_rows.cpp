@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "searched.h"
 
-#include <pcl_normal_smoothing/core/rounds/far_rows.h>
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
+#include <core/rounds/far_rows.h>
+#include <core/search/node_blocks.h>
 
 #include <gtest/gtest.h>
 

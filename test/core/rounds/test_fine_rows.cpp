@@ -71,7 +71,7 @@ TEST_F (FineRowsTest, WhereItIsWideNoneIs)
 {
   const FineRows rows = rowsOf (even_, 1);
   for (const std::size_t node : {0, 777, 1599})
-    EXPECT_EQ (sizeOfRow (even_, rows, node), max_k);
+    EXPECT_EQ (sizeOfRow (even_, rows, node), max_row_length);
 }
 
 TEST_F (FineRowsTest, DensePlacesAreWideFirst)
@@ -85,7 +85,7 @@ TEST_F (FineRowsTest, DensePlacesAreWideFirst)
     const float x = uneven_.nodes.base[node].x () - middle;
     if (std::abs (x) < 4) // between them
       continue;
-    EXPECT_EQ (sizeOfRow (uneven_, rows, node), x < 0 ? fine_k : max_k) << x;
+    EXPECT_EQ (sizeOfRow (uneven_, rows, node), x < 0 ? fine_k : max_row_length) << x;
     EXPECT_EQ (scaled[node], x < 0 ? 3 : 6);
     EXPECT_EQ (plain[node], x < 0 ? 1 : 2);
     ++(x < 0 ? fine : wide);
@@ -102,7 +102,7 @@ TEST_F (FineRowsTest, NoiseIsWideWhereItIsLarger)
       variance_factors[node] = 9;
   const FineRows rows = rowsOf (even_, .3f, variance_factors);
   for (std::uint32_t node = 0; node < even_.graph->size (); ++node)
-    EXPECT_EQ (sizeOfRow (even_, rows, node), even_.nodes.base[node].x () > middle ? max_k : fine_k);
+    EXPECT_EQ (sizeOfRow (even_, rows, node), even_.nodes.base[node].x () > middle ? max_row_length : fine_k);
 }
 
 TEST (UnevenNoiseTest, DensePlacesAreSmoothedAsOthersAre)

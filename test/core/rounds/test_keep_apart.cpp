@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smoothed.h"
 
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
+#include <core/search/node_blocks.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "shapes.h"
 #include "smoothed.h"
 
-#include <pcl_normal_smoothing/core/smoothing_preparation.h>
+#include <core/smoothing_preparation.h>
 
 #include <gtest/gtest.h>
 
@@ -116,7 +116,8 @@ TEST_P (RobustSmoothingTest, TwoCloseSheetsKeepTheirDistance)
 
 constexpr float sheet_spacing = 0.02f;
 
-/** Of the distance to the surface, what is left over what was there. \param[in] start normals that point to one side; or none */
+/** Of the distance to the surface, what is left over what was there. \param[in] start normals that point to one side;
+  * or none */
 double
 leftOf (const Shape& shape, bool fast, const Vectors& start = {})
 {

@@ -2,7 +2,7 @@
 #include "graph_rows.h"
 #include "shapes.h"
 
-#include <pcl_normal_smoothing/core/search/node_blocks.h>
+#include <core/search/node_blocks.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "graph_rows.h"
 #include "shapes.h"
 
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include <core/search/hash_sample.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbor_clouds.h"
 
-#include <pcl_normal_smoothing/core/search/kd_tree.h>
+#include <core/search/kd_tree.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_normal_smoothing/core/search/select_nth.h>
+#include <core/search/select_nth.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "searched.h"
 
-#include <pcl_normal_smoothing/core/search/thinned_cloud.h>
+#include <core/search/thinned_cloud.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include "searched.h"
 #include "shapes.h"
 
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_detection.h>
+#include <core/search/hash_sample.h>
+#include <core/sheets/sheet_detection.h>
 
 #include <gtest/gtest.h>
 

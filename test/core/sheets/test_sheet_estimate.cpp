@@ -2,10 +2,10 @@
 #include "graph_rows.h"
 #include "shapes.h"
 
-#include <pcl_normal_smoothing/core/search/hash_sample.h>
+#include <core/search/hash_sample.h>
+#include <core/sheets/sheet_estimate.h>
+#include <core/sheets/sheet_test.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_estimate.h>
-#include <pcl_normal_smoothing/core/sheets/sheet_test.h>
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,8 @@ TEST (SheetEstimateTest, SeesHowFarApartSheetsAreAndTheirNoise)
   }
 }
 
-/** As fine as the sampling, and higher than the noise: neighbours lie far from the tangent planes, but not on another sheet. */
+/** As fine as the sampling, and higher than the noise: neighbours lie far from the tangent planes, but not on another
+  * sheet. */
 Shape
 bumpyPlane ()
 {

@@ -2,7 +2,7 @@
 #include "graph_rows.h"
 #include "shapes.h"
 
-#include <pcl_normal_smoothing/core/sheets/sheet_separation.h>
+#include <core/sheets/sheet_separation.h>
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,8 @@ shareOfOthers (const NeighborGraph& graph)
 
 TEST (SheetSeparationTest, RowsKeepToTheirSheet)
 {
-  // The rest stands along the outline, where a plane across both sheets fits as well, and in rows of one or two of them.
+  // The rest stands along the outline, where a plane across both sheets fits as well, and in rows of one or two of
+  // them.
   const std::pair<float, double> shares_left[] = {{1.5f, 0.35}, {2.0f, 0.2}, {3.0f, 0.2}};
   for (const auto& [gap, share_left] : shares_left) {
     const Separated sheets = separated (withNormalNoise (parallelSheets (50, spacing, gap * spacing), 3), 4 * noise);

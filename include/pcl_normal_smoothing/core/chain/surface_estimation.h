@@ -43,8 +43,8 @@ estimateNormals (const NeighborGraph& graph,
                  const SurfaceEstimator& estimator,
                  const Execution& execution);
 
-/** Replaces \a neighbors by the numbers of the neighbours of query point \a i, in any order. Called from many threads.
-  * */
+/** Replaces \a neighbors by the numbers of the neighbours of query point \a i, in any order. Called from many
+  * threads. */
 using QuerySearch = std::function<void (std::size_t i, std::vector<std::uint32_t>& neighbors)>;
 
 /** The surfaces at points that need not be among those that sample it; query.k counts whatever is found.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_normal_smoothing/core/noise/neighborhood_widening.h>
 #include <pcl_normal_smoothing/core/noise/noise_field.h>
-#include <pcl_normal_smoothing/core/noise/noise_sample.h>
+#include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
 namespace pcl_normal_smoothing
 {
@@ -30,21 +29,10 @@ struct NoiseEstimate
 /** Estimates the noise from what quadrics through small neighbourhoods leave, and extrapolates from two sizes of
   * neighbourhood what curvature adds to it. Uses a sample of about 4,096 points that is chosen by a hash of the
   * coordinates, and quantiles, which do not depend on an order: the same cloud gives the same bits in any order. Where
-  * points lie in layers or on lines, or noise is wide, wider neighbourhoods tell it
-  * (core/noise/neighborhood_widening.h).
+  * points lie in layers or on lines, or noise is wide, wider neighbourhoods tell it.
   * \param[in] graph where a row has fewer than 16 points, the neighbours are searched again
   * \return sigma 0 where neighbourhoods have fewer than 8 points or no extent */
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
-
-/** The estimate from the sample of the whole cloud, as if its neighbourhoods needed no widening; nothing where most of
-  * its rows are short. */
-NoiseEstimate
-estimateNoise (const NoiseSample& sample);
-
-/** The same where neighbourhoods were widened. In layers: at least what steps of their size make of a surface, and it
-  * varies as the steps do. On lines: by neighbourhoods of twelve and sixteen points, for eight may still lie on one. */
-NoiseEstimate
-estimateNoise (const NoiseSample& sample, const Widening& widening);
 } // namespace core
 } // namespace pcl_normal_smoothing
