@@ -10,7 +10,7 @@ namespace pcl_normal_smoothing
 namespace tools
 {
 /** The widest point and the most points that a cloud may have: PCL counts points in int. */
-constexpr std::uint64_t max_point_bytes = 1u << 24, max_points = 0x7fffffff;
+constexpr std::uint64_t max_point_bytes = 1u << 24, max_cloud_size = 0x7fffffff;
 
 /** All that a file says of a cloud, its points apart. */
 struct CloudShape

@@ -262,7 +262,7 @@ void
 readPcd (const std::string& bytes, CloudFile& file)
 {
   ByteStream stream {std::string_view (bytes)};
-  const Header header = readHeader (stream, max_points);
+  const Header header = readHeader (stream, max_cloud_size);
   PcdReader reader (stream, header);
   if (header.encoding == "binary_compressed")
     readCompressed (stream.peek (), header, file.cloud->data);

@@ -261,8 +261,8 @@ void
 readPly (const std::string& bytes, CloudFile& file)
 {
   ByteStream stream {std::string_view (bytes)};
-  PlyReader reader (stream, max_points);
-  reader.read (max_points, file.cloud->data);
+  PlyReader reader (stream, max_cloud_size);
+  reader.read (max_cloud_size, file.cloud->data);
   reader.finish ();
   setShape (reader.shape (), file);
 }

@@ -140,7 +140,7 @@ addCamera (const CloudShape& shape, Record& record)
   for (int unused = 0; unused < 5; ++unused)
     add (0);
   for (const std::uint64_t length : {shape.width, shape.height}) {
-    const std::int64_t size = shape.size () > max_points ? 0 : static_cast<std::int64_t> (length); // 0: none
+    const std::int64_t size = shape.size () > max_cloud_size ? 0 : static_cast<std::int64_t> (length); // 0: none
     record.add (Field::INT32, &size);
   }
   add (0);
