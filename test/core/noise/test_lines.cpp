@@ -23,20 +23,33 @@ lidar (double noise, double degrees_between_lines = 2)
   return ScannedRoom (15, degrees_between_lines, .25, noise).points;
 }
 
-/** What a profiler above a ball sees, whose lines are five times as far apart as their points: each lies in a plane
-  * exactly. The spacing is 1, the noise goes along the rays. */
 constexpr double ball_radius = 56;
 
+double
+ballHeight (double x, double y)
+{
+  return std::sqrt (ball_radius * ball_radius - x * x - y * y);
+}
+
+/** With detail between the lines. */
+double
+waveHeight (double x, double y)
+{
+  return 4 * std::sin (x / 4) * std::cos (y / 4);
+}
+
+/** What a profiler sees from above, whose lines are five times as far apart as their points: each lies in a plane
+  * exactly. The spacing is 1, the noise goes along the rays. */
 Vectors
-profiles (double noise)
+profiles (double (*height) (double, double), double noise)
 {
   constexpr double along = 0.447, across = 5 * along, rim = 0.9 * ball_radius;
   Vectors points;
   std::uint64_t number = 0;
   for (double x = -rim; x < rim; x += across)
     for (double y = -rim; y < rim; y += along)
-      if (const double sq_radius = x * x + y * y; sq_radius < rim * rim) {
-        const double z = std::sqrt (ball_radius * ball_radius - sq_radius) + noise * gaussianNoise (12, number++);
+      if (x * x + y * y < rim * rim) {
+        const double z = height (x, y) + noise * gaussianNoise (12, number++);
         points.emplace_back (static_cast<float> (x), static_cast<float> (y), static_cast<float> (z));
       }
   return points;
@@ -163,12 +176,13 @@ TEST (LinesTest, WithoutNoiseNothingMoves)
 
 TEST (LinesTest, WhatIsBetweenTheLinesOfAProfilerIsNoNoise)
 {
-  for (const double noise : {0.02, 0.1}) {
-    const Searched cloud (profiles (noise));
-    const NoiseEstimate read = estimateNoise (*cloud.graph, cloud.nodes, Execution (2));
-    EXPECT_GT (read.sigma, 0.5 * noise) << noise;
-    EXPECT_LT (read.sigma, 1.5 * noise) << noise;
-  }
+  for (const auto height : {ballHeight, waveHeight})
+    for (const double noise : {0.02, 0.1}) {
+      const Searched cloud (profiles (height, noise));
+      const NoiseEstimate read = estimateNoise (*cloud.graph, cloud.nodes, Execution (2));
+      EXPECT_GT (read.sigma, 0.5 * noise) << noise;
+      EXPECT_LT (read.sigma, 1.5 * noise) << noise;
+    }
 }
 
 TEST (LinesTest, PointsOnRaysAreNoLinesOfAProfiler)
@@ -219,7 +233,7 @@ TEST_P (LinesPresets, ProfilesOfABallAreSmoothed)
 {
   const std::uint32_t k = GetParam () ? 16 : 32;
   for (const double noise : {0.0, 0.02, 0.1}) {
-    const Vectors points = profiles (noise);
+    const Vectors points = profiles (ballHeight, noise);
     const Vectors moved = sum (points, smoothed (asPositions (points), k, wideningOptions (GetParam ())).displacements);
     EXPECT_LE (meanDistanceToBall (moved), std::max (0.4 * meanDistanceToBall (points), 1e-4)) << noise;
   }
