@@ -27,4 +27,21 @@ layersOf (const Searched& cloud, unsigned threads = 2)
   using namespace pcl_normal_smoothing::core;
   return estimateLayers (*cloud.graph, cloud.nodes, Execution (threads));
 }
+
+/** What a pinhole camera at the origin sees of a wall with windows that are all set back by the same: no reveals. */
+inline pcl_normal_smoothing::core::Vectors
+wallWithWindows ()
+{
+  constexpr int side = 90;
+  constexpr double wall = 1.5, recess = 0.06, tangent_of_pixel = 0.006;
+  pcl_normal_smoothing::core::Vectors points;
+  for (int row = -side; row < side; ++row)
+    for (int column = -side; column < side; ++column) {
+      const double x = tangent_of_pixel * column, y = tangent_of_pixel * row;
+      const auto isWindow = [] (double place) { return std::remainder (place, 0.5) > 0; };
+      const double depth = isWindow (wall * x) && isWindow (wall * y + 0.1) ? wall + recess : wall;
+      points.emplace_back (static_cast<float> (depth * x), static_cast<float> (depth * y), static_cast<float> (depth));
+    }
+  return points;
+}
 } // namespace test_support

@@ -101,22 +101,6 @@ roofs ()
   return points;
 }
 
-/** What a pinhole camera at the origin sees of a wall with windows that are all set back by the same: no reveals. */
-Vectors
-wallWithWindows ()
-{
-  constexpr double wall = 1.5, recess = 0.06, tangent_of_pixel = 0.006;
-  Vectors points;
-  for (int row = -side; row < side; ++row)
-    for (int column = -side; column < side; ++column) {
-      const double x = tangent_of_pixel * column, y = tangent_of_pixel * row;
-      const auto isWindow = [] (double place) { return std::remainder (place, 0.5) > 0; };
-      const double depth = isWindow (wall * x) && isWindow (wall * y + 0.1) ? wall + recess : wall;
-      points.emplace_back (static_cast<float> (depth * x), static_cast<float> (depth * y), static_cast<float> (depth));
-    }
-  return points;
-}
-
 double
 meanError (const Vectors& points, const Surface& surface)
 {
