@@ -44,7 +44,9 @@ runTool (const Cloud& cloud, const std::string& preset)
   }
   program.seconds = median (seconds);
   Cloud smoothed;
-  if (program.failure.empty () && pcl::io::loadPCDFile (output, smoothed) == 0)
+  if (program.failure.empty () && pcl::io::loadPCDFile (output, smoothed) != 0)
+    program.failure = "its output cannot be read";
+  if (program.failure.empty ())
     program.distance = meanDistance (smoothed);
   return program;
 }

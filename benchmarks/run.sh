@@ -10,11 +10,11 @@ usage="usage: benchmarks/run.sh [-quick] [-large points] [-out folder]
   -large points  compares the time a point with that of a cloud of so many (default: 32000000, which needs 10 GB; 0: no)
   -out folder    where the tables go (default: benchmark_output)"
 
-points=1000000 repetitions=5 large=32000000 out=$root/benchmark_output stages=()
+points=1000000 repetitions=5 large="" out=$root/benchmark_output stages=()
 while [ $# -gt 0 ]; do
   case "$1" in
     -h | --help) echo "$usage"; exit 0 ;;
-    -quick) points=100000 repetitions=1 large=0 stages=(--benchmark_min_time=0.01 "--benchmark_filter=points:10000/") ;;
+    -quick) points=100000 repetitions=1 large=${large:-0} stages=(--benchmark_min_time=0.01 "--benchmark_filter=points:10000/") ;;
     -large | -out)
       [ $# -gt 1 ] || { echo "benchmarks/run.sh: $1 needs a value" >&2; exit 1; }
       if [ "$1" = -large ]; then large=$2; else out=$2; fi
@@ -23,6 +23,7 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
+large=${large:-32000000}
 
 "$root/evaluation/install_peers.sh" || echo "Not every peer could be installed: its row will say so." >&2
 # shellcheck source=scripts/debian_packages.sh

@@ -181,9 +181,8 @@ smoothInRounds (benchmark::State& state)
   options.noise = core::estimateNoise (*input.graph, input.nodes, core::Execution (0));
   options.max_displacement = 5 * options.noise.sigma;
   for (auto _ : state) {
-    core::Positions nodes = input.nodes;
-    core::Vectors normals = input.normals;
-    core::smoothRobustly (*input.graph, options, core::Execution (threadsOf (state)), {}, nodes, normals);
+    core::MovingSurface surface (input.nodes, input.normals);
+    core::smoothRobustly (*input.graph, options, core::Execution (threadsOf (state)), surface);
   }
   count (state);
 }

@@ -26,6 +26,14 @@ install(FILES
   DESTINATION ${package_dir} COMPONENT development)
 
 file(RELATIVE_PATH prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+foreach(dir libdir includedir)
+  string(TOUPPER CMAKE_INSTALL_${dir} installed)
+  if(IS_ABSOLUTE "${${installed}}")
+    set(${dir}_of_pkgconfig "${${installed}}")
+  else()
+    set(${dir}_of_pkgconfig "\${prefix}/${${installed}}")
+  endif()
+endforeach()
 configure_file(cmake/pcl_normal_smoothing.pc.in pcl_normal_smoothing.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/pcl_normal_smoothing.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
   COMPONENT development)

@@ -1,6 +1,9 @@
 # Makes the compressed man page of a tool from what its -h says.
 # usage: cmake -D TOOL=<program> -D VERSION=<version> -D HELP2MAN=<program> -D GZIP=<program> -D PAGE=<page.1> -P man_page.cmake
 execute_process(COMMAND "${TOOL}" -h OUTPUT_VARIABLE help RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${TOOL} -h: ${result}")
+endif()
 string(REGEX MATCH "^[^.:\n]*" summary "${help}")
 string(TOLOWER "${summary}" summary)
 file(REMOVE "${PAGE}.gz")

@@ -3,7 +3,7 @@
 // PCL's.
 #include <pcl_normal_smoothing/core/chain/point_update.h>
 #include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
-#include <pcl_normal_smoothing/run_settings.h>
+#include <pcl_normal_smoothing/input_checks.h>
 
 #include <cmath>
 #include <iostream>

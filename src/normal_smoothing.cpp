@@ -27,8 +27,9 @@ requireData (const pcl::PCLPointCloud2& cloud)
 
 /** The cloud for a search object. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
-xyzCloud (const core::Positions& positions)
+xyzCloud (const VectorView& view)
 {
+  const core::Positions positions = readPositions (view);
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> ();
   for (std::size_t i = 0; i < positions.size (); ++i) {
     const Eigen::Vector3f p = positions.inCloudUnit (i);
@@ -42,7 +43,6 @@ void
 NormalSmoothing<pcl::PCLPointCloud2>::applyFilter (pcl::PCLPointCloud2& output)
 {
   const Outcome outcome = attempt (filter_name_, [&] {
-    used_options_ = {};
     output = *input_;
     smooth (output);
   });
@@ -52,13 +52,12 @@ NormalSmoothing<pcl::PCLPointCloud2>::applyFilter (pcl::PCLPointCloud2& output)
 void
 NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
 {
-  const core::SmoothingOptions options = this->options ();
   const std::size_t size = std::size_t (input_->width) * input_->height;
   const VectorLayout layout =
       VectorLayout::require (*input_, position_fields, "give a cloud of points, or rename and convert its fields");
   requireData (*input_);
   std::optional<VectorView> normals;
-  if (options.normals == NormalSource::INPUT)
+  if (options ().normals == NormalSource::INPUT)
     normals = VectorView {VectorLayout::require (*input_, normal_fields,
                                                  "estimate normals first, or choose another normal source"),
                           input_->data.data (), size};
@@ -66,16 +65,12 @@ NormalSmoothing<pcl::PCLPointCloud2>::smooth (pcl::PCLPointCloud2& output)
   if (save_normals_)
     saved_normals = VectorLayout::require (*input_, normal_fields, "add them before setSaveNormals");
 
-  SmoothingRun run (options, {layout, input_->data.data (), size}, *indices_, execution ().silent ());
-  pcl::PointCloud<pcl::PointXYZ>::Ptr searched;
-  if (search_)
-    searched = xyzCloud (run.cloud ());
-  const auto cloud = [&] { return searched; };
-  const core::Execution whole = execution ();
-  const auto graph = obtainGraph (filter_name_, run.cloud (), cloud, whole.part (0, 0.5));
-  const auto search_again = options.update.search_interval > 0 ? makeSearchAgain (graph, cloud) : core::SearchAgain ();
-  run.smooth (graph, normals, search_again, whole.part (0.5, 1));
-  used_options_ = run.options ();
+  const VectorView positions {layout, input_->data.data (), size};
+  pcl::PointCloud<pcl::PointXYZ>::Ptr searched; // one for all searches
+  const SmoothingRun run = runSmoothing (filter_name_, positions, normals, *indices_, [&] {
+    searched = searched ? searched : xyzCloud (positions);
+    return searched;
+  });
   run.writePositions (layout, output.data.data ());
   if (saved_normals)
     run.writeNormals (*saved_normals, output.data.data ());

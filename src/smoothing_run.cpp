@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -63,16 +64,16 @@ SmoothingRun::smooth (const core::NeighborGraph::ConstPtr& graph,
 {
   graph_ = graph;
   unit_ = cloud_.unit;
-  core::Positions nodes = core::gather (cloud_, graph->order (), execution.silent ());
+  core::MovingSurface surface (core::gather (cloud_, graph->order (), execution.silent ()));
   cloud_ = {}; // the nodes are a copy: keep the peak of memory low
-  const core::Vectors start = core::startOf (nodes);
   if (normals)
-    normals_ = readNodeNormals (*normals, *graph, execution_);
+    surface.normals = readNodeNormals (*normals, *graph, execution_);
   core::SmoothingOptions options = options_.inUnit (unit_);
-  core::prepareSmoothing (normals_, execution.still (), graph_, options, nodes);
-  core::smooth (graph_, options, search_again, execution, start, nodes, normals_);
+  core::prepareSmoothing (execution.still (), graph_, options, surface);
+  core::smooth (graph_, options, search_again, execution, surface);
   options_ = options.inUnit (1 / unit_);
-  displacements_ = core::displacements (start, nodes);
+  displacements_ = surface.displacements ();
+  normals_ = std::move (surface.normals);
   if (!graph_->copies ().points.empty ())
     with_copies_ = graph_->points ();
   includeCopies (*graph_, normals, displacements_, normals_);

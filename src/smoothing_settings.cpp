@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/run_settings.h>
+#include <pcl_normal_smoothing/input_checks.h>
 #include <pcl_normal_smoothing/smoothing_settings.h>
 
 #include <cmath>

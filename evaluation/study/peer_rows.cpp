@@ -86,14 +86,17 @@ stemToKeep (const CaseWork& work, const PeerSetting& setting, const Row* best_be
   return best_before && best_before->measures.p2s_mean <= row.measures.p2s_mean ? "" : cloudStem (setting, "best");
 }
 
-/** The row no longer is the peer's best: unless it is the default its cloud has been replaced. */
+/** The cloud of the peer's best is about to be replaced: no row may name it. */
 void
-forgetCloud (Row row, const PeerSetting& better, const CaseWork& work)
+forgetBestCloud (const CaseWork& work, const PeerSetting& better)
 {
-  if (row.cloud != work.cloudPath (cloudStem (better, "best")))
-    return;
-  row.cloud.clear ();
-  work.results.put (row);
+  const std::string path = work.cloudPath (cloudStem (better, "best"));
+  for (const PeerSetting& setting : peerSettings ())
+    if (const Row* named = work.results.find (rowOf (work.that, setting).key ()); named && named->cloud == path) {
+      Row row = *named;
+      row.cloud.clear ();
+      work.results.put (row);
+    }
 }
 
 void
@@ -112,8 +115,8 @@ take (const CaseWork& work, const PeerSetting& setting, const PeerResult& result
   const std::string stem = stemToKeep (work, setting, best_before ? &*best_before : nullptr, row);
   if (stem.empty ())
     return;
-  if (!setting.is_default && best_before)
-    forgetCloud (*best_before, setting, work);
+  if (!setting.is_default)
+    forgetBestCloud (work, setting);
   work.keepCloud (stem, result.points, {}, row);
   work.results.put (row);
 }

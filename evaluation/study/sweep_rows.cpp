@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace pcl_normal_smoothing::evaluation
 {
@@ -38,11 +40,16 @@ missing (const StudyOptions& options, const Case& that, const Results& results)
   return combinations;
 }
 
-/** How far off a row's cloud is; by the area where nothing else was measured. */
-double
-errorOf (const Row& row)
+/** How far off the clouds are; by the area where the distance of one of them was not measured. */
+std::vector<double>
+errorsOf (const std::vector<Row>& rows)
 {
-  return std::isfinite (row.measures.p2s_mean) ? row.measures.p2s_mean : row.measures.area_error;
+  const bool all_measured =
+      std::all_of (rows.begin (), rows.end (), [] (const Row& row) { return std::isfinite (row.measures.p2s_mean); });
+  std::vector<double> errors;
+  for (const Row& row : rows)
+    errors.push_back (all_measured ? row.measures.p2s_mean : row.measures.area_error);
+  return errors;
 }
 
 /** Or there is no sweep. */
@@ -71,15 +78,18 @@ keepExtremes (const CaseWork& work, Sweep& sweep)
       row.cloud.clear ();
       work.results.put (row);
     }
-  const auto [best, worst] = std::minmax_element (all.begin (), all.end (), [&] (const auto& a, const auto& b) {
-    return errorOf (rowFor (a)) < errorOf (rowFor (b));
-  });
-  for (const auto& [combination, stem] : {std::pair (*best, "sweep_best"), std::pair (*worst, "sweep_worst")})
+  std::vector<Row> rows;
+  std::transform (all.begin (), all.end (), std::back_inserter (rows), rowFor);
+  const std::vector<double> errors = errorsOf (rows);
+  const auto [best, worst] = std::minmax_element (errors.begin (), errors.end ());
+  for (const auto& [error, stem] : {std::pair (best, "sweep_best"), std::pair (worst, "sweep_worst")}) {
+    const Combination& combination = all[static_cast<std::size_t> (error - errors.begin ())];
     sweep.run ({combination}, [&, stem = stem] (const Combination& c, const Smoothed& smoothed) {
       Row row = rowFor (c);
       work.keepCloud (stem, smoothed.points, smoothed.normals, row);
       work.results.put (row);
     });
+  }
 }
 } // namespace
 

@@ -7,9 +7,10 @@
 
 namespace pcl_normal_smoothing
 {
-/** What the filters for point types have in common: PCL's filter, with settings, that loses nothing. */
-template <typename PointT>
-class CarefulFilter : public pcl::Filter<PointT>, public SearchSettings<PointT>
+/** What the filters for point types have in common: PCL's filter, with settings, that loses nothing.
+  * \tparam Settings SearchSettings, or derived of it */
+template <typename PointT, typename Settings = SearchSettings<PointT>>
+class CarefulFilter : public pcl::Filter<PointT>, public Settings
 {
 public:
   using PointCloud = pcl::PointCloud<PointT>;

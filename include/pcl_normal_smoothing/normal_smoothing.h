@@ -3,7 +3,7 @@
 
 #include <pcl_normal_smoothing/careful_filter.h>
 #include <pcl_normal_smoothing/input_normals.h>
-#include <pcl_normal_smoothing/smoothing_settings.h>
+#include <pcl_normal_smoothing/normal_smoothing_base.h>
 #include <pcl_normal_smoothing/vector_layout.h>
 
 #include <pcl/point_types.h>
@@ -26,7 +26,7 @@ namespace pcl_normal_smoothing
   * and 3 for PCA and Hough. The result is the same, bit for bit, for any number of threads. On an error the output is
   * empty, see filter and getErrorMessage. */
 template <typename PointT>
-class NormalSmoothing : public CarefulFilter<PointT>, public InputNormals, public SmoothingSettings
+class NormalSmoothing : public CarefulFilter<PointT, NormalSmoothingBase<PointT>>, public InputNormals
 {
 public:
   using Ptr = pcl::shared_ptr<NormalSmoothing<PointT>>;
@@ -42,31 +42,13 @@ protected:
   /** \param[out] output the smoothed input */
   void
   applyFilter (PointCloud& output) override;
-
-  int
-  defaultK () const override
-  {
-    return presetK ();
-  }
-
-  void
-  checkK (int k) const override
-  {
-    core::checkNeighborCount (options (), k);
-  }
-
-  bool
-  joinsCopies () const override
-  {
-    return options ().robust;
-  }
 };
 
 /** The same for a cloud of any fields: reads x y z, float or double, and writes them; every other field stays byte for
   * byte. Fields normal_x normal_y normal_z are read for NormalSource::INPUT, and written where setSaveNormals asks. */
 template <>
-class PCL_EXPORTS NormalSmoothing<pcl::PCLPointCloud2>
-: public pcl::Filter<pcl::PCLPointCloud2>, public SearchSettings<pcl::PointXYZ>, public SmoothingSettings
+class PCL_EXPORTS NormalSmoothing<pcl::PCLPointCloud2> : public pcl::Filter<pcl::PCLPointCloud2>,
+                                                         public NormalSmoothingBase<pcl::PointXYZ>
 {
 public:
   using Ptr = pcl::shared_ptr<NormalSmoothing<pcl::PCLPointCloud2>>;
@@ -105,24 +87,6 @@ public:
 protected:
   void
   applyFilter (pcl::PCLPointCloud2& output) override;
-
-  int
-  defaultK () const override
-  {
-    return presetK ();
-  }
-
-  void
-  checkK (int k) const override
-  {
-    core::checkNeighborCount (options (), k);
-  }
-
-  bool
-  joinsCopies () const override
-  {
-    return options ().robust;
-  }
 
 private:
   /** What pcl::Filter::filter does with an output that is not the input. Calling that would have every program load

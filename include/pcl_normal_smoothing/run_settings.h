@@ -21,31 +21,6 @@ enum class Outcome
   FAILED
 };
 
-/** No points; header and fields stay. */
-template <typename CloudT>
-void
-emptyCloud (CloudT& cloud)
-{
-  if constexpr (std::is_same_v<CloudT, pcl::PCLPointCloud2>) {
-    cloud.data.clear ();
-    cloud.row_step = 0;
-  }
-  else
-    cloud.points.clear ();
-  cloud.width = cloud.height = 0;
-}
-
-/** What a filter's output is after its run: as it stands, the input where it was cancelled, empty where it failed. */
-template <typename CloudT>
-void
-settleOutput (Outcome outcome, const CloudT& input, CloudT& output)
-{
-  if (outcome == Outcome::CANCELLED)
-    output = input;
-  if (outcome == Outcome::FAILED)
-    emptyCloud (output);
-}
-
 /** What all classes of this module have in common: threads, progress, a shared neighbour graph, the last error. */
 class RunSettings
 {
@@ -116,6 +91,11 @@ public:
 protected:
   ~RunSettings () = default;
 
+  /** What the last run left is to be forgotten: called when another begins, or fails to. */
+  virtual void
+  beginRun ()
+  {}
+
   /** Runs \a work; an exception becomes a message under the name of the class. */
   Outcome
   attempt (const std::string& class_name, const std::function<void ()>& work);
@@ -151,6 +131,36 @@ protected:
   NeighborGraph::ConstPtr
   fittingGraph (const core::Positions& cloud, bool may_join = false) const;
 
+  /** No points; header and fields stay. */
+  template <typename CloudT>
+  static void
+  emptyCloud (CloudT& cloud)
+  {
+    if constexpr (std::is_same_v<CloudT, pcl::PCLPointCloud2>) {
+      cloud.data.clear ();
+      cloud.row_step = 0;
+    }
+    else
+      cloud.points.clear ();
+    cloud.width = cloud.height = 0;
+  }
+
+  /** What a filter's output is after its run: as it stands, the input where it was cancelled, empty where it failed. */
+  template <typename CloudT>
+  static void
+  settleOutput (Outcome outcome, const CloudT& input, CloudT& output)
+  {
+    if (outcome == Outcome::CANCELLED)
+      output = input;
+    if (outcome == Outcome::FAILED)
+      emptyCloud (output);
+  }
+
+  /** Warns where there are fewer finite points than k.
+    * \throw core::Error where there are fewer than 3 */
+  static void
+  checkPointCount (const std::string& class_name, std::size_t finite_points, std::size_t k);
+
   /** \throw core::Error always */
   [[noreturn]] static void
   failWithoutInput ();
@@ -162,31 +172,4 @@ protected:
   std::string error_message_;
   bool cancelled_ = false;
 };
-
-/** A length as the work is done with it.
-  * \param[in] setter that it was given to, for the message
-  * \throw core::Error where float would make 0 or infinity of it, which it is not */
-float
-floatLength (double length, const std::string& name, const std::string& setter);
-
-/** \param[in] k number of neighbours, the point itself included; 0 = by radius
-  * \param[in] radius 0 = by k
-  * \param[in] max_distance limits k; 0 = no limit
-  * \throw core::Error unless exactly one of k and radius is above 0, and none below, or float cannot hold a length */
-core::NeighborQuery
-makeNeighborQuery (int k, double radius, double max_distance);
-
-/** A warning in PCL's manner. */
-void
-warn (const std::string& class_name, const std::string& message);
-
-/** \return what to warn of where there are fewer finite points than k, else nothing
-  * \throw core::Error where there are fewer than 3 */
-std::string
-pointCountWarning (std::size_t finite_points, std::size_t k);
-
-/** Warns where there are fewer finite points than k.
-  * \throw core::Error where there are fewer than 3 */
-void
-checkPointCount (const std::string& class_name, std::size_t finite_points, std::size_t k);
 } // namespace pcl_normal_smoothing

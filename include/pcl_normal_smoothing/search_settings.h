@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_normal_smoothing/core/chain/point_update.h>
+#include <pcl_normal_smoothing/input_checks.h>
 #include <pcl_normal_smoothing/neighbor_graph.h>
 #include <pcl_normal_smoothing/run_settings.h>
 

@@ -9,6 +9,9 @@ points=${1:-32000000}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
+# shellcheck source=scripts/debian_packages.sh
+. "$root/scripts/debian_packages.sh"
+install_packages "time|the memory that a process takes"
 export OMP_WAIT_POLICY=passive
 status=0
 

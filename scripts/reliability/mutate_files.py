@@ -223,7 +223,8 @@ def limits():
 
 def is_complete(path):
     """A PCD file that holds as many bytes as its header says."""
-    data = open(path, "rb").read()
+    with open(path, "rb") as file:
+        data = file.read()
     header = data[:header_end(data)].decode("latin1")
     lines = {line.split()[0]: line.split()[1:] for line in header.splitlines() if line.split()}
     stride = sum(int(s) * int(c) for s, c in zip(lines["SIZE"], lines["COUNT"]))
@@ -240,6 +241,8 @@ def run(tools, command, folder, name):
         ended = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, timeout=SECONDS,
                                preexec_fn=limits, check=False)
     except subprocess.TimeoutExpired:
+        for file in set(os.listdir(folder)) - before: # the next run must not take them for its own
+            os.remove(os.path.join(folder, file))
         return None, f"took more than {SECONDS} s"
     left = set(os.listdir(folder)) - before
     if ended.returncode not in (0, 2, 3):

@@ -79,11 +79,11 @@ def try_out(mutation, jobs):
     path = os.path.join(SOURCE, file)
     with open(path, encoding="utf-8") as source:
         text = source.read()
-    if old not in text:
-        return f"is no longer in {file}", False
+    if text.count(old) != 1:
+        return f"stands {text.count(old)} times in {file}", False
     try:
         with open(path, "w", encoding="utf-8") as source:
-            source.write(text.replace(old, new, 1))
+            source.write(text.replace(old, new))
         found = noticed_by(tests_for(file), jobs)
     finally:
         with open(path, "w", encoding="utf-8") as source:
@@ -92,12 +92,13 @@ def try_out(mutation, jobs):
 
 
 def check():
-    """Whether the code to break stands where the list says."""
+    """Whether the code to break stands where the list says, and nowhere else in that file."""
     status = 0
     for name, file, old, _ in MUTATIONS:
         with open(os.path.join(ROOT, file), encoding="utf-8") as source:
-            if old not in source.read():
-                print(f"{name}: what it breaks is no longer in {file}")
+            count = source.read().count(old)
+            if count != 1:
+                print(f"{name}: what it breaks stands {count} times in {file}")
                 status = 1
     return status
 

@@ -162,8 +162,9 @@ check "the same command completes it" cmp whole.pcd killed.d.out/cloud.pcd
 # A node loses its power with all that runs on it, and comes back: its jobs are put back into the queue.
 submit lost.d >/dev/null
 victim=$(running_job lost.d)
+steps=$(pgrep -P "$slurmd") # before they lose their parent
 kill -9 "$slurmd"
-pkill -9 -f "slurmstepd.*$folder|slurmstepd: \\["
+[ -z "$steps" ] || xargs kill -9 2>/dev/null <<< "$steps"
 kill -9 "$victim" 2>/dev/null
 pkill -9 -f "pcl_normal_smoothing_tiles run $folder/lost.d"
 for _ in $(seq 120); do sinfo --noheader --format %t | grep -q down && break || sleep 1; done

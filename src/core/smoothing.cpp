@@ -67,14 +67,14 @@ std::size_t
 estimateFirstNormals (const NeighborGraph& graph,
                       const SmoothingOptions& options,
                       const Execution& execution,
-                      const Positions& positions,
-                      Vectors& normals)
+                      MovingSurface& surface)
 {
+  Vectors& normals = surface.normals;
   if (options.robust && options.normals == NormalSource::WPCA)
-    normals = startNormals (graph, positions, execution.part (0, 0.1));
+    normals = startNormals (graph, surface.positions, execution.part (0, 0.1));
   else if (options.normals != NormalSource::INPUT)
-    normals =
-        estimateNormals (graph, positions, makeEstimator (options.normals, options.hough), execution.part (0, 0.3));
+    normals = estimateNormals (graph, surface.positions, makeEstimator (options.normals, options.hough),
+                               execution.part (0, 0.3));
   return static_cast<std::size_t> (
       std::count_if (normals.begin (), normals.end (), [] (const auto& n) { return !std::isnan (n.x ()); }));
 }
@@ -92,14 +92,12 @@ smoothByNormals (const NeighborGraph::ConstPtr& graph,
                  const SmoothingOptions& options,
                  const SearchAgain& search_again,
                  const Execution& execution,
-                 const Vectors& start,
-                 Positions& positions,
-                 Vectors& normals)
+                 MovingSurface& surface)
 {
   if (options.robust)
-    return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), start, positions, normals);
-  filterNormals (*graph, positions, options.filter, execution.part (0.3, 0.7), normals);
-  updatePoints (graph, normals, options.update, search_again, execution.part (0.7, 1), positions);
+    return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), surface);
+  filterNormals (*graph, surface.positions, options.filter, execution.part (0.3, 0.7), surface.normals);
+  updatePoints (graph, surface.normals, options.update, search_again, execution.part (0.7, 1), surface.positions);
 }
 
 void
@@ -107,12 +105,10 @@ smooth (const NeighborGraph::ConstPtr& graph,
         const SmoothingOptions& options,
         const SearchAgain& search_again,
         const Execution& execution,
-        const Vectors& start,
-        Positions& positions,
-        Vectors& normals)
+        MovingSurface& surface)
 {
-  requireNormals (estimateFirstNormals (*graph, options, execution, positions, normals));
-  smoothByNormals (graph, options, search_again, execution, start, positions, normals);
+  requireNormals (estimateFirstNormals (*graph, options, execution, surface));
+  smoothByNormals (graph, options, search_again, execution, surface);
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -29,9 +29,13 @@ largerWhereWide (NoiseField field, const WideNoise& wide)
 class WholeCloud : public SmoothingPreparation
 {
 public:
-  /** \param[in,out] positions kept, as everything else, while this is used */
-  WholeCloud (Positions& positions, const Vectors& normals, const Execution& execution, NeighborGraph::ConstPtr& graph)
-  : positions_ (positions), normals_ (normals), execution_ (execution), graph_ (graph), unseparated_ (graph)
+  /** \param[in,out] surface kept, as everything else, while this is used */
+  WholeCloud (MovingSurface& surface, const Execution& execution, NeighborGraph::ConstPtr& graph)
+  : positions_ (surface.positions)
+  , normals_ (surface.normals)
+  , execution_ (execution)
+  , graph_ (graph)
+  , unseparated_ (graph)
   {}
 
   /** \param[in] may_project false: points without a normal may not move, and opposite normals tell sheets apart
@@ -140,13 +144,12 @@ private:
 } // namespace
 
 void
-prepareSmoothing (const Vectors& normals,
-                  const Execution& execution,
+prepareSmoothing (const Execution& execution,
                   NeighborGraph::ConstPtr& graph,
                   SmoothingOptions& options,
-                  Positions& positions)
+                  MovingSurface& surface)
 {
-  WholeCloud cloud (positions, normals, execution, graph);
+  WholeCloud cloud (surface, execution, graph);
   const bool moves = options.robust && options.rounds.rounds > 0 && options.rounds.noise.sigma != 0;
   const bool may_project = options.normals != NormalSource::INPUT;
   options.widen_neighborhoods = moves && options.widen_neighborhoods && cloud.widen (may_project);

@@ -109,6 +109,13 @@ TYPED_TEST (FilterRun, OptionsOfAnEarlierRunDoNotOutliveOneThatFails)
     filter.setKSearch (-3);
     this->expectError (filter, "-3");
     EXPECT_EQ (filter.usedOptions ().rounds.noise.sigma, 0);
+
+    filter.setKSearch (0);
+    this->run (filter);
+    EXPECT_GT (filter.usedOptions ().rounds.noise.sigma, 0);
+    filter.setInputCloud (nullptr);
+    this->expectError (filter, "no input");
+    EXPECT_EQ (filter.usedOptions ().rounds.noise.sigma, 0);
   }
 }
 

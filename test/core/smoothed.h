@@ -2,6 +2,7 @@
 #pragma once
 
 #include "graph_rows.h"
+#include "searched.h"
 
 #include <core/whole_cloud.h>
 
@@ -36,6 +37,17 @@ wideningOptions (bool fast)
   return options;
 }
 
+/** With what the cloud tells. */
+inline pcl_normal_smoothing::core::SmoothingOptions
+prepared (pcl_normal_smoothing::core::SmoothingOptions options, const Searched& cloud)
+{
+  using namespace pcl_normal_smoothing::core;
+  NeighborGraph::ConstPtr graph = cloud.graph;
+  MovingSurface surface (cloud.nodes);
+  prepareSmoothing (Execution (2), graph, options, surface);
+  return options;
+}
+
 /** The whole method, in the order of the cloud.
   * \param[in] normals for NormalSource::INPUT */
 inline Smoothed
@@ -48,13 +60,11 @@ smoothed (const Positions& cloud,
   using namespace pcl_normal_smoothing::core;
   const Execution execution (threads);
   NeighborGraph::ConstPtr graph = NeighborGraph::build (cloud, {k}, execution);
-  Positions nodes = gather (cloud, graph->order ());
-  const Vectors start = startOf (nodes);
-  Vectors of_nodes = normals.empty () ? Vectors () : byNode (normals, *graph);
-  prepareSmoothing (of_nodes, execution, graph, options, nodes);
+  MovingSurface surface (gather (cloud, graph->order ()), normals.empty () ? Vectors () : byNode (normals, *graph));
+  prepareSmoothing (execution, graph, options, surface);
   const SearchAgain search_again = [&] (const Positions& moved) { return graph->rebuild (moved, {k}, execution); };
-  smooth (graph, options, search_again, execution, start, nodes, of_nodes);
-  return {byPoint (displacements (start, nodes), *graph), byPoint (of_nodes, *graph)};
+  smooth (graph, options, search_again, execution, surface);
+  return {byPoint (surface.displacements (), *graph), byPoint (surface.normals, *graph)};
 }
 
 inline Vectors

@@ -89,13 +89,14 @@ struct Result
 
 Result
 smoothedNode (const NeighborGraph::ConstPtr& graph,
-              Positions nodes,
+              const Positions& nodes,
               const SmoothingOptions& options,
               std::uint32_t node)
 {
-  Vectors normals (graph->size (), Eigen::Vector3f (0.6f, 0, 0.8f)); // for NormalSource::INPUT
-  smooth (graph, options, {}, Execution (2), startOf (nodes), nodes, normals);
-  return {nodes.offset[node], normals[node]};
+  const Vectors normals (graph->size (), Eigen::Vector3f (0.6f, 0, 0.8f)); // for NormalSource::INPUT
+  MovingSurface surface (nodes, normals);
+  smooth (graph, options, {}, Execution (2), surface);
+  return {surface.positions.offset[node], surface.normals[node]};
 }
 
 /** Nothing beyond the depth counts; at the depth something does, for some of the nodes.

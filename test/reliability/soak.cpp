@@ -71,6 +71,10 @@ int
 main (int argc, char** argv)
 {
   const int count = argc > 1 ? std::atoi (argv[1]) : 1000;
+  if (count < cycle) {
+    std::printf ("usage: soak [clouds]: at least %d, one of each kind\n", cycle);
+    return 1;
+  }
   pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // errors are part of it
   NormalSmoothing<pcl::PointNormal> smoothing;
   std::vector<double> memory;
@@ -81,9 +85,9 @@ main (int argc, char** argv)
     }
     memory.push_back (residentMegabytes ());
   }
-  const auto begin = memory.begin () + std::max<std::ptrdiff_t> (0, std::min (count / 10, count - cycle));
-  const double first = *std::max_element (begin, std::min (begin + cycle, memory.end ()));
-  const double last = *std::max_element (memory.end () - std::min (count, cycle), memory.end ());
+  const auto begin = memory.begin () + std::min (count / 10, count - cycle);
+  const double first = *std::max_element (begin, begin + cycle);
+  const double last = *std::max_element (memory.end () - cycle, memory.end ());
   std::printf ("%d clouds: at most %.1f MB in %d of them after the first tenth, %.1f MB in the last (%+.1f %%)\n",
                count, first, cycle, last, 100 * (last / first - 1));
   return last > 1.03 * first ? 1 : 0;

@@ -6,7 +6,7 @@
 
 #include <core/noise/noise_sample.h>
 #include <pcl_normal_smoothing/core/error.h>
-#include <pcl_normal_smoothing/run_settings.h>
+#include <pcl_normal_smoothing/input_checks.h>
 
 #include <cstdio>
 

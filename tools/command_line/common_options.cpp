@@ -3,7 +3,7 @@
 
 #include "files/tool_error.h"
 
-#include <pcl_normal_smoothing/run_settings.h>
+#include <pcl_normal_smoothing/input_checks.h>
 
 #include <limits>
 

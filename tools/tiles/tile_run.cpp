@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -48,18 +49,18 @@ private:
   void
   smooth ()
   {
-    core::Positions& nodes = region_.nodes ();
-    const core::Vectors start = core::startOf (nodes);
-    core::estimateFirstNormals (*region_.graph (), plan_.options, execution_, nodes, region_.normals ());
-    const auto has_normal = [&] (std::uint32_t node) { return !std::isnan (region_.normals ()[node].x ()); };
+    core::MovingSurface surface (std::move (region_.nodes ()), std::move (region_.normals ()));
+    core::estimateFirstNormals (*region_.graph (), plan_.options, execution_, surface);
+    const auto has_normal = [&] (std::uint32_t node) { return !std::isnan (surface.normals[node].x ()); };
     with_normal_ =
         static_cast<std::uint64_t> (std::count_if (region_.wanted ().begin (), region_.wanted ().end (), has_normal));
-    core::smoothByNormals (region_.graph (), plan_.options, {}, execution_, start, nodes, region_.normals ());
-    displacements_ = core::displacements (start, nodes);
+    core::smoothByNormals (region_.graph (), plan_.options, {}, execution_, surface);
+    displacements_ = surface.displacements ();
+    normals_ = std::move (surface.normals);
     std::optional<VectorView> given;
     if (plan_.options.normals == NormalSource::INPUT)
       given = VectorView {plan_.record.normals (), region_.records ().data (), region_.size ()};
-    includeCopies (*region_.graph (), given, displacements_, region_.normals ());
+    includeCopies (*region_.graph (), given, displacements_, normals_);
   }
 
   void
@@ -83,7 +84,7 @@ private:
       std::uint8_t* record = &result[result.size () - to];
       std::copy_n (&records[i * from], sizeof (std::uint64_t) + 3 * plan_.result.positionBytes (), record);
       if (plan_.save_normals)
-        plan_.result.normals ().set (record, 0, region_.normals ()[place_of[i]].cast<double> ());
+        plan_.result.normals ().set (record, 0, normals_[place_of[i]].cast<double> ());
     }
     saveResult (plan_, tile_, result, with_normal_);
   }
@@ -92,7 +93,7 @@ private:
   std::size_t tile_;
   core::Execution execution_;
   Region region_;
-  core::Vectors displacements_;
+  core::Vectors displacements_, normals_; // of region_.graph ()->points ()
   std::uint64_t with_normal_ = 0;
 };
 } // namespace

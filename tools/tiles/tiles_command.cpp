@@ -58,9 +58,9 @@ TilesCommand::addOptions (Options& options)
           "run. Every step can be run again: what is done stays.\n") +
           presets_and_chain,
       {"plan|run|merge|list", "folder", "input.pcd|ply..."});
-  options.add ("-memory", "G", "of plan and merge: gigabytes that they may take, and that run will have for a tile",
+  options.add ("-memory", "G", "of plan and merge: gigabytes that they may take, at least 0.01, and that run will have for a tile",
                "half of this machine's",
-               positiveOption ([this] (double size) { memory_ = static_cast<std::uint64_t> (size * gigabyte); }));
+               numberOption (0.01, 1e6, [this] (double size) { memory_ = static_cast<std::uint64_t> (size * gigabyte); }));
   addPlanOptions (options);
   addRunOptions (options);
   addMergeOptions (options);

@@ -6,7 +6,7 @@
 #include <pcl_normal_smoothing/core/chain/surface_estimation.h>
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 #include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
-#include <pcl_normal_smoothing/run_settings.h>
+#include <pcl_normal_smoothing/input_checks.h>
 
 #include <algorithm>
 #include <chrono>

@@ -51,14 +51,13 @@ int
 smoothingDepth (const SmoothingOptions& options);
 
 /** The first step of smooth: the normals that it begins with.
-  * \param[out] normals left as they are for NormalSource::INPUT
+  * \param[in,out] surface its normals stay as they are for NormalSource::INPUT
   * \return how many nodes have one */
 std::size_t
 estimateFirstNormals (const NeighborGraph& graph,
                       const SmoothingOptions& options,
                       const Execution& execution,
-                      const Positions& positions,
-                      Vectors& normals);
+                      MovingSurface& surface);
 
 /** \throw Error for 0 */
 void
@@ -70,24 +69,19 @@ smoothByNormals (const NeighborGraph::ConstPtr& graph,
                  const SmoothingOptions& options,
                  const SearchAgain& search_again,
                  const Execution& execution,
-                 const Vectors& start,
-                 Positions& positions,
-                 Vectors& normals);
+                 MovingSurface& surface);
 
 /** The whole method, Fig. 2 of Valdivia et al. 2013: estimate normals, filter them, move the points to fit them.
   * Or, for options.robust, all of it in rounds.
   * \param[in] options without anything to estimate
-  * \param[in] start as for smoothRobustly
-  * \param[in,out] positions of the nodes; their offsets change
-  * \param[in,out] normals of the nodes; read only for NormalSource::INPUT; on return those that the points fit
+  * \param[in] search_again see updatePoints
+  * \param[in,out] surface its normals are read only for NormalSource::INPUT; on return those that the points fit
   * \throw Error where no node has a normal */
 void
 smooth (const NeighborGraph::ConstPtr& graph,
         const SmoothingOptions& options,
         const SearchAgain& search_again,
         const Execution& execution,
-        const Vectors& start,
-        Positions& positions,
-        Vectors& normals);
+        MovingSurface& surface);
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -41,7 +41,7 @@ BilateralNormalFilter<PointT>::applyFilter (PointCloud& output)
     else
       throw core::Error ("the point type has no normal to write: call filterNormals, or use a type with normals");
   });
-  settleOutput (outcome, *this->input_, output);
+  this->settleOutput (outcome, *this->input_, output);
 }
 
 template <typename PointT>

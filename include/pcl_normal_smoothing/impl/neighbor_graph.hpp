@@ -2,8 +2,8 @@
 #pragma once
 
 #include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/input_checks.h>
 #include <pcl_normal_smoothing/neighbor_graph.h>
-#include <pcl_normal_smoothing/run_settings.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/search/organized.h>

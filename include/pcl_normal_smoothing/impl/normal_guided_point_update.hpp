@@ -3,6 +3,7 @@
 
 #include <pcl_normal_smoothing/impl/input_normals.hpp>
 #include <pcl_normal_smoothing/impl/search_settings.hpp>
+#include <pcl_normal_smoothing/input_checks.h>
 #include <pcl_normal_smoothing/normal_guided_point_update.h>
 
 namespace pcl_normal_smoothing
@@ -32,7 +33,7 @@ NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
     writeDisplacements (displacements (start, nodes), nodes.unit, graph->order (), selected, positionLayout<PointT> (),
                         reinterpret_cast<std::uint8_t*> (output.data ()));
   });
-  settleOutput (outcome, *this->input_, output);
+  this->settleOutput (outcome, *this->input_, output);
 }
 } // namespace pcl_normal_smoothing
 

@@ -3,6 +3,7 @@
 
 #include <pcl_normal_smoothing/core/chain/surface_estimation.h>
 #include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/input_checks.h>
 #include <pcl_normal_smoothing/surface_normal_estimation.h>
 
 namespace pcl_normal_smoothing

@@ -170,7 +170,6 @@ mostSigma (const std::vector<Differences>& unthinned, const std::vector<LineEnd>
       noise > straight * reach;
   return by_chance ? std::numeric_limits<float>::infinity () : static_cast<float> (most_of_noise_along * noise);
 }
-
 } // namespace
 
 LineEstimate

@@ -43,20 +43,18 @@ public:
   Rounds (const NeighborGraph& graph,
           const RobustSmoothingOptions& options,
           const Execution& execution,
-          const Vectors& start,
-          Positions& positions,
-          Vectors& normals)
+          MovingSurface& surface)
   : graph_ (graph)
   , options_ (options)
   , execution_ (execution)
   , progress_ (execution)
-  , positions_ (positions)
-  , normals_ (normals)
+  , positions_ (surface.positions)
+  , normals_ (surface.normals)
   , schedule_ (scheduleOf (options))
-  , all_normals_ (haveAllNormals (normals))
-  , start_ (start)
+  , all_normals_ (haveAllNormals (normals_))
+  , start_ (surface.start)
   , other_ (graph.size ())
-  , variance_factors_ (core::varianceFactors (options.noise.field, positions, execution))
+  , variance_factors_ (core::varianceFactors (options.noise.field, positions_, execution))
   , fine_rows_ (fineRows ())
   , step_taking_ ({graph, this->start (), varianceFactors (), fine_rows_}, options)
   {}
@@ -243,12 +241,10 @@ void
 smoothRobustly (const NeighborGraph& graph,
                 const RobustSmoothingOptions& options,
                 const Execution& execution,
-                const Vectors& start,
-                Positions& positions,
-                Vectors& normals)
+                MovingSurface& surface)
 {
   if (graph.size () > 0)
-    Rounds (graph, options, execution, start, positions, normals).run ();
+    Rounds (graph, options, execution, surface).run ();
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

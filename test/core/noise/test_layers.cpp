@@ -241,10 +241,8 @@ TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
 TEST (LayersTest, LayersOfAWallThatFacesTheCameraAreNoSheets)
 {
   const double step = 0.065;
-  Searched cloud (inSteps ([&] (double x, double y) { return 0.05 * x + 0.6 * step * patchNoise (x, y); }, step));
-  SmoothingOptions options = wideningOptions (false);
-  NeighborGraph::ConstPtr graph = cloud.graph;
-  prepareSmoothing ({}, Execution (2), graph, options, cloud.nodes);
+  const Vectors points = inSteps ([&] (double x, double y) { return 0.05 * x + 0.6 * step * patchNoise (x, y); }, step);
+  const SmoothingOptions options = prepared (wideningOptions (false), Searched (points));
   ASSERT_TRUE (options.widen_neighborhoods);
   EXPECT_GT (options.rounds.sheet_distance, step);
 }
@@ -252,10 +250,7 @@ TEST (LayersTest, LayersOfAWallThatFacesTheCameraAreNoSheets)
 TEST (LayersTest, FewNeighboursAreEnough)
 {
   const Vectors points = inSteps (tilted, 0.02);
-  SmoothingOptions options = wideningOptions (false);
-  Searched cloud (points, {8});
-  NeighborGraph::ConstPtr graph = cloud.graph;
-  prepareSmoothing ({}, Execution (2), graph, options, cloud.nodes);
+  const SmoothingOptions options = prepared (wideningOptions (false), Searched (points, {8}));
   EXPECT_TRUE (options.widen_neighborhoods);
   EXPECT_GT (options.rounds.noise.sigma, 0.005f);
   EXPECT_LT (options.rounds.noise.field.largestFactor (), 1.5f);

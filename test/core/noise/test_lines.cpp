@@ -203,10 +203,8 @@ TEST (LinesTest, PointsOnRaysAreNoLinesOfAProfiler)
 TEST (LinesTest, BehindTheGapsMayBeOtherSheets)
 {
   for (const bool are_lines : {false, true}) {
-    Searched cloud (are_lines ? lidar (0.01) : ScannedRoom (60, 1, 1, 0.01).points);
-    SmoothingOptions fast = wideningOptions (true);
-    NeighborGraph::ConstPtr graph = cloud.graph;
-    prepareSmoothing ({}, Execution (2), graph, fast, cloud.nodes);
+    const Searched cloud (are_lines ? lidar (0.01) : ScannedRoom (60, 1, 1, 0.01).points);
+    const SmoothingOptions fast = prepared (wideningOptions (true), cloud);
     EXPECT_EQ (std::isfinite (fast.rounds.sheet_distance), are_lines);
   }
 }

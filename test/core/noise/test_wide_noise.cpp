@@ -215,10 +215,8 @@ TEST (WideNoiseTest, AllOfTheNoiseIsRead)
 float
 takenOverRead (const Vectors& points)
 {
-  Searched cloud (points);
-  NeighborGraph::ConstPtr graph = cloud.graph;
-  SmoothingOptions options = wideningOptions (false);
-  prepareSmoothing ({}, Execution (2), graph, options, cloud.nodes);
+  const Searched cloud (points);
+  const SmoothingOptions options = prepared (wideningOptions (false), cloud);
   return options.rounds.noise.sigma / estimateNoise (*cloud.graph, cloud.nodes, Execution (2)).sigma;
 }
 
@@ -237,10 +235,8 @@ TEST (WideNoiseTest, NotSoMuchLargerWhereThereIsDetail)
 
 TEST (WideNoiseTest, OfAPartItIsSoThereAlone)
 {
-  Searched cloud (withNoiseOfDepth (twoWalls (1, 5), 0.002));
-  NeighborGraph::ConstPtr graph = cloud.graph;
-  SmoothingOptions options = wideningOptions (false);
-  prepareSmoothing ({}, Execution (2), graph, options, cloud.nodes);
+  const Searched cloud (withNoiseOfDepth (twoWalls (1, 5), 0.002));
+  const SmoothingOptions options = prepared (wideningOptions (false), cloud);
   const NoiseEstimate read = estimateNoise (*cloud.graph, cloud.nodes, Execution (2)), &taken = options.rounds.noise;
   const auto takenOverReadAt = [&] (const Eigen::Vector3f& place) {
     return taken.sigma * taken.field.factorAt (place) / (read.sigma * read.field.factorAt (place));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_normal_smoothing/core/moving_surface.h>
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
@@ -40,16 +41,11 @@ check (const RobustSmoothingOptions& options);
 Vectors
 startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k = 12);
 
-/** \param[in] start offsets of the nodes before anything moved, as startOf tells; what options.max_displacement counts
-  * from
-  * \param[in,out] positions of the nodes; their offsets change
-  * \param[in,out] normals of the nodes to start from, length 1 or NaN; on return those of the last round */
+/** \param[in,out] surface with the normals to start from; on return those of the last round */
 void
 smoothRobustly (const NeighborGraph& graph,
                 const RobustSmoothingOptions& options,
                 const Execution& execution,
-                const Vectors& start,
-                Positions& positions,
-                Vectors& normals);
+                MovingSurface& surface);
 } // namespace core
 } // namespace pcl_normal_smoothing
