@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From a raw scan to a mesh: smooth, take the normals that come with it, triangulate greedily. doc/tutorial.md explains
-// it. usage: scan_to_mesh [scan.pcd mesh.ply] without files: a scan of waves, whose mesh is judged
+// it. usage: scan_to_mesh [scan.pcd|ply mesh.ply]; without files: a scan of waves, whose mesh is judged
 #include <pcl_normal_smoothing/normal_smoothing.h>
+#include <pcl_normal_smoothing/surface_noise_estimation.h>
 
+#include <pcl/common/io.h>
 #include <pcl/features/normal_3d.h>
-#include <pcl/io/pcd_io.h>
+#include <pcl/io/auto_io.h>
 #include <pcl/io/ply_io.h>
 #include <pcl/surface/gp3.h>
 
@@ -13,6 +15,18 @@
 
 using PointT = pcl::PointNormal;
 using Cloud = pcl::PointCloud<PointT>;
+
+constexpr double longest_edge = 5; // of a triangle, in spacings
+
+/** The distance between neighbouring points. */
+double
+spacingOf (const Cloud::ConstPtr& scan)
+{
+  pcl_normal_smoothing::SurfaceNoiseEstimation<PointT> noise;
+  noise.setInputCloud (scan);
+  noise.compute ();
+  return noise.getSpacing ();
+}
 
 Cloud::Ptr
 smooth (const Cloud::ConstPtr& scan)
@@ -82,10 +96,14 @@ meanAngle (const pcl::PolygonMesh& mesh, const Cloud& cloud)
 int
 meshFile (const std::string& scan_file, const std::string& mesh_file)
 {
-  auto scan = pcl::make_shared<Cloud> ();
-  if (pcl::io::loadPCDFile (scan_file, *scan) != 0)
+  pcl::PointCloud<pcl::PointXYZ> loaded;      // the normals are those of the smoothed points
+  if (pcl::io::load (scan_file, loaded) != 0) // which says what is wrong
     return 1;
-  return pcl::io::savePLYFileBinary (mesh_file, triangulate (smooth (scan), 0.1)) == 0 ? 0 : 1;
+  auto scan = pcl::make_shared<Cloud> ();
+  pcl::copyPointCloud (loaded, *scan);
+  const pcl::PolygonMesh mesh = triangulate (smooth (scan), longest_edge * spacingOf (scan));
+  std::cout << mesh.polygons.size () << " triangles\n";
+  return !mesh.polygons.empty () && pcl::io::savePLYFileBinary (mesh_file, mesh) == 0 ? 0 : 1;
 }
 
 int
@@ -94,10 +112,11 @@ main (int argc, char** argv)
   if (argc == 3)
     return meshFile (argv[1], argv[2]);
   const Cloud::ConstPtr scan = makeScan (), smoothed = smooth (scan);
+  const double radius = longest_edge * spacingOf (scan);
   auto noisy = pcl::make_shared<Cloud> (*smoothed); // the same normals, so that the points are all that differs
   for (std::size_t i = 0; i < scan->size (); ++i)
     (*noisy)[i].getVector3fMap () = (*scan)[i].getVector3fMap ();
-  const pcl::PolygonMesh before = triangulate (noisy, 0.1), after = triangulate (smoothed, 0.1);
+  const pcl::PolygonMesh before = triangulate (noisy, radius), after = triangulate (smoothed, radius);
   const double angle_before = meanAngle (before, *noisy), angle_after = meanAngle (after, *smoothed);
   std::cout << before.polygons.size () << " triangles, " << angle_before
             << " degrees off; smoothed: " << after.polygons.size () << ", " << angle_after << " degrees off\n";

@@ -58,11 +58,13 @@ VectorLayout::find (const pcl::PCLPointCloud2& cloud, const VectorFields& names)
 VectorLayout
 VectorLayout::require (const pcl::PCLPointCloud2& cloud, const VectorFields& names, const std::string& advice)
 {
-  const auto layout = find (cloud, names);
-  if (!layout)
-    throw core::Error ("the cloud has no fields " + names[0] + ", " + names[1] + ", " + names[2] +
-                       " that are all float or all double, but " + fieldsOf (cloud) + ": " + advice);
-  return *layout;
+  if (const auto layout = find (cloud, names))
+    return *layout;
+  for (const std::string& name : names)
+    if (std::none_of (cloud.fields.begin (), cloud.fields.end (), [&] (const auto& f) { return f.name == name; }))
+      throw core::Error ("the cloud has no field " + name + ", but " + fieldsOf (cloud) + ": " + advice);
+  throw core::Error ("the cloud has no fields " + names[0] + ", " + names[1] + ", " + names[2] +
+                     " that are all float or all double, but " + fieldsOf (cloud) + ": " + advice);
 }
 
 namespace

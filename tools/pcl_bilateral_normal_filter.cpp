@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clouds/cloud_graph.h"
+#include "clouds/normal_fields.h"
 #include "command_line/method_options.h"
 #include "command_line/tool.h"
 
@@ -40,7 +40,7 @@ class BilateralNormalFilterTool : public tools::Tool
     const core::Execution execution (search_.threads, tools::progressOnTerminal ());
     const tools::CloudGraph cloud = tools::searchNeighbors (file, query, execution.part (0, 0.7));
     std::uint8_t* data = file.cloud->data.data ();
-    core::Vectors normals = readNormals ({layout, data, file.size ()}, cloud.graph->order ());
+    core::Vectors normals = tools::loadNormals (*cloud.graph, layout, file);
     core::filterNormals (*cloud.graph, cloud.nodes, settings_.options ().filter, execution.part (0.7, 1), normals);
     writeNormals (normals, cloud.graph->order (), std::vector<bool> (file.size (), true), layout, data);
     tools::saveResult (file, options.file (1), format_.format);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clouds/cloud_graph.h"
+#include "clouds/normal_fields.h"
 #include "command_line/method_options.h"
 #include "command_line/tool.h"
 
@@ -25,6 +25,7 @@ class NormalGuidedPointUpdateTool : public tools::Tool
     settings_.setMaxDisplacement (standard.getMaxDisplacement ());
     search_.addTo (options, std::to_string (standard_k));
     tools::addUpdateOptions (options, tools::standardOf (settings_), settings_);
+    tools::addMotionOptions (options, "iterations", tools::standardOf (settings_), settings_);
     tools::addOrientedOption (options, settings_);
     format_.addTo (options);
   }
@@ -41,7 +42,7 @@ class NormalGuidedPointUpdateTool : public tools::Tool
     std::uint8_t* data = file.cloud->data.data ();
     const core::Elements& order = cloud.graph->order ();
     const core::Vectors start = core::startOf (cloud.nodes);
-    core::updatePoints (cloud.graph, readNormals ({normals, data, file.size ()}, order),
+    core::updatePoints (cloud.graph, tools::loadNormals (*cloud.graph, normals, file),
                         settings_.options ().update.inUnit (cloud.nodes.unit), {}, execution.part (0.7, 1),
                         cloud.nodes);
     writeDisplacements (core::displacements (start, cloud.nodes), cloud.nodes.unit, order,

@@ -25,10 +25,10 @@ class NormalSmoothingTool : public tools::Tool
     const auto into = [] (std::string& text) { return [&text] (const std::string& given) { text = given; }; };
     options.add ("-report", "R.json", "write a report: parameters, noise, displacements, seconds", "none",
                  into (report_));
-    options.add (
-        "-input_dir", "A",
-        "smooth every PCD and PLY file of a folder that is not done yet; one that fails is named, the others go on",
-        "none", into (input_folder_));
+    options.add ("-input_dir", "A",
+                 "smooth every PCD and PLY file of a folder, but not of those in it, that is not done yet; one that "
+                 "fails is named, the others go on",
+                 "none", into (input_folder_));
     options.add ("-output_dir", "B", "to these names in another folder, each with a report beside it", "none",
                  into (output_folder_));
     options.replaceFilesBy ({"-input_dir", "-output_dir"});
@@ -54,7 +54,10 @@ class NormalSmoothingTool : public tools::Tool
       throw tools::FileError (input, "is a folder", "give it with -input_dir, and another with -output_dir");
     const tools::SmoothingResult result =
         job_.smooth (input, output, job_.threads (), tools::progressOnTerminal (), !report_.empty ());
-    std::printf ("%s: %zu points\nparameters: %s\n", output.c_str (), result.points, result.parameters.c_str ());
+    std::printf ("%s: %zu points\n", output.c_str (), result.points);
+    if (!result.found.empty ())
+      std::printf ("found: %s\n", result.found.c_str ());
+    std::printf ("parameters: %s\n", result.parameters.c_str ());
     if (!report_.empty ())
       tools::saveReport (result.report, report_);
   }

@@ -36,8 +36,8 @@ class ViewerTool : public tools::Tool
   {
     check (options);
     window_.off_screen = !picture_.empty ();
-    const tools::Display display (window_.off_screen);
     tools::ViewerSession session (options.file (0), options.file (1));
+    const tools::Display display (window_.off_screen);
     tools::ViewerParameters::Given method = options.given ();
     for (const char* name : {"-color_by", "-screenshot", "-width", "-height", "-save"})
       method.erase (name);

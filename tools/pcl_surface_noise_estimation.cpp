@@ -34,6 +34,8 @@ class SurfaceNoiseEstimationTool : public tools::Tool
     if (noise.field.largestFactor () > 1.05f * noise.field.smallestFactor ())
       std::printf ("it varies from place to place: sigma from %.3g to %.3g\n",
                    noise.sigma * noise.field.smallestFactor (), noise.sigma * noise.field.largestFactor ());
+    if (const std::string found = tools::textOf (noise.hidden_by); !found.empty ())
+      std::printf ("found: %s\n", found.c_str ());
   }
 
   unsigned threads_ = 0;

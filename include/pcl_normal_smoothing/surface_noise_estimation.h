@@ -52,6 +52,13 @@ public:
     return estimate_.spacing;
   }
 
+  /** What hides the noise from small neighbourhoods, as the steps of a depth camera do. NOTHING before compute. */
+  core::NoiseHiddenBy
+  getHiddenBy () const
+  {
+    return estimate_.hidden_by;
+  }
+
 protected:
   int
   defaultK () const override

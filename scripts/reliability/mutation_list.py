@@ -149,7 +149,7 @@ MUTATIONS = [
     ("layers: rounding makes no noise", CORE + "noise/noise_estimate.cpp", "std::max (noise.sigma, layers.noise_of_step * step)", "noise.sigma"),
     ("layers: frayed steps have no more noise", CORE + "noise/layer_estimate.cpp", "+ .5 * (1 - share_stepped)", ""),
     ("layers: the noise is the same everywhere", CORE + "noise/noise_estimate.cpp", "relativeField (layers.steps, step)", "NoiseField ()"),
-    ("layers: the spacing is that of wide neighbourhoods", CORE + "noise/noise_estimate.cpp", "of_wide.spacing = noise.spacing;", ""),
+    ("layers: the spacing is that of wide neighbourhoods", CORE + "noise/noise_estimate.cpp", "return {of_wide.sigma, noise.spacing,", "return {of_wide.sigma, of_wide.spacing,"),
     ("layers: of a wall that faces the camera are sheets", CORE + "whole_cloud.cpp",
      "detected.estimate.gap < sheet_steps * largestStep ()", "false"),
     ("lines: none are seen", CORE + "noise/line_estimate.cpp",

@@ -64,6 +64,13 @@ smoothingDepth (const SmoothingOptions& options)
 }
 
 std::size_t
+countNormals (const Vectors& normals)
+{
+  return static_cast<std::size_t> (
+      std::count_if (normals.begin (), normals.end (), [] (const auto& n) { return !std::isnan (n.x ()); }));
+}
+
+std::size_t
 estimateFirstNormals (const NeighborGraph& graph,
                       const SmoothingOptions& options,
                       const Execution& execution,
@@ -75,16 +82,19 @@ estimateFirstNormals (const NeighborGraph& graph,
   else if (options.normals != NormalSource::INPUT)
     normals = estimateNormals (graph, surface.positions, makeEstimator (options.normals, options.hough),
                                execution.part (0, 0.3));
-  return static_cast<std::size_t> (
-      std::count_if (normals.begin (), normals.end (), [] (const auto& n) { return !std::isnan (n.x ()); }));
+  return countNormals (normals);
 }
 
 void
-requireNormals (std::size_t nodes_with_normal)
+requireNormals (std::size_t nodes_with_normal, NormalSource source)
 {
-  if (nodes_with_normal == 0)
-    throw Error ("no point has a normal: every neighbourhood has fewer than 3 points, in WPCA 4, or lies on a line; "
-                 "the cloud must sample a surface, with a neighbourhood that holds at least 4 points");
+  if (nodes_with_normal > 0)
+    return;
+  if (source == NormalSource::INPUT)
+    throw Error ("no point has a normal: all that are read are zero or not finite; estimate them, or choose another "
+                 "normal source");
+  throw Error ("no point has a normal: every neighbourhood has fewer than 3 points, in WPCA 4, or lies on a line; "
+               "if there is a radius, give a larger one; the cloud must sample a surface");
 }
 
 void
@@ -107,7 +117,7 @@ smooth (const NeighborGraph::ConstPtr& graph,
         const Execution& execution,
         MovingSurface& surface)
 {
-  requireNormals (estimateFirstNormals (*graph, options, execution, surface));
+  requireNormals (estimateFirstNormals (*graph, options, execution, surface), options.normals);
   smoothByNormals (graph, options, search_again, execution, surface);
 }
 } // namespace core

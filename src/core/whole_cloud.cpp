@@ -55,6 +55,12 @@ public:
     return widening_.isNeeded ();
   }
 
+  NoiseHiddenBy
+  noiseHiddenBy () const
+  {
+    return widening_.hiddenBy ();
+  }
+
   /** See LayerEstimate. */
   bool
   isOfCamera () const
@@ -155,6 +161,7 @@ prepareSmoothing (const Execution& execution,
   options.widen_neighborhoods = moves && options.widen_neighborhoods && cloud.widen (may_project);
   options.rounds.along_rays = cloud.isOfCamera ();
   cloud.complete (options);
+  options.rounds.noise.hidden_by = cloud.noiseHiddenBy ();
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

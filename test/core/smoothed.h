@@ -6,6 +6,8 @@
 
 #include <core/whole_cloud.h>
 
+#include <gtest/gtest.h>
+
 namespace test_support
 {
 struct Smoothed
@@ -46,6 +48,17 @@ prepared (pcl_normal_smoothing::core::SmoothingOptions options, const Searched& 
   MovingSurface surface (cloud.nodes);
   prepareSmoothing (Execution (2), graph, options, surface);
   return options;
+}
+
+/** What hides the noise of points, said alike by the estimate of noise and by what smoothing uses. */
+inline pcl_normal_smoothing::core::NoiseHiddenBy
+noiseHiddenBy (const Vectors& points)
+{
+  using namespace pcl_normal_smoothing::core;
+  const Searched cloud (points);
+  const NoiseHiddenBy estimated = estimateNoise (*cloud.graph, cloud.nodes, Execution (2)).hidden_by;
+  EXPECT_EQ (prepared (wideningOptions (false), cloud).rounds.noise.hidden_by, estimated);
+  return estimated;
 }
 
 /** The whole method, in the order of the cloud.

@@ -56,11 +56,24 @@ TEST_F (DataTrouble, NothingToWorkOn)
                header ("x y z normal_x normal_y normal_z", 3) + "nan 0 0 0 0 1\nnan nan nan 0 0 1\n1 0 inf 0 0 1\n");
     expectRefused (command, "0 finite points");
     writeText (path ("in.pcd"), header ("u v", 3) + "1 2\n3 4\n5 6\n");
-    expectRefused (command, "x, y, z");
+    expectRefused (command, "no field x, but u F4, v F4");
   }
   writeText (path ("in.ply"), "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
                               "property float z\nend_header\n");
   expectRefused ("pcl_normal_smoothing in.ply out.pcd", "empty");
+}
+
+TEST_F (DataTrouble, NoNormalToWorkWith)
+{
+  std::string points;
+  for (int i = 0; i < 49; ++i)
+    points += std::to_string (i % 7) + " " + std::to_string (i / 7) + (i % 2 == 0 ? " 0 0 0 0\n" : " 0 nan 0 1\n");
+  writeText (path ("in.pcd"), header ("x y z normal_x normal_y normal_z", 49) + points);
+  for (const char* tool :
+       {"pcl_normal_smoothing -normals input", "pcl_bilateral_normal_filter", "pcl_normal_guided_point_update"})
+    expectRefused (std::string (tool) + " in.pcd out.pcd", "all that are read are zero or not finite");
+  for (const char* tool : {"pcl_normal_smoothing", "pcl_wpca_normal_estimation", "pcl_hough_normal_estimation"})
+    expectRefused (std::string (tool) + " in.pcd out.pcd -radius 0.001", "give a larger one");
 }
 
 TEST_F (DataTrouble, FieldsOfOtherNames)

@@ -64,6 +64,8 @@ TEST_F (FileTrouble, Input)
   fs::create_directory (path ("folder.pcd"));
   expectRefused ("pcl_normal_smoothing folder.pcd out.pcd", path ("folder.pcd"), "folder");
   expectUnreadable ("cloud.xyz", "1 2 3\n", "extension");
+  expectUnreadable ("mesh.off", "OFF\n1 0 0\n0 0 0\n", "is a mesh");
+  expectRefused ("pcl_normal_smoothing - out.pcd", "-", "named pipe");
   expectUnreadable ("empty.pcd", "", "FIELDS");
   expectUnreadable ("empty.ply", "", "ply");
   expectUnreadable ("noise.pcd", std::string (100000, 'x'), "FIELDS");

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <regex>
+#include <sstream>
 
 using namespace pcl_normal_smoothing;
 
@@ -22,6 +24,13 @@ protected:
   SetUp () override
   {
     savePcd (makeWave (), path ("wave.pcd"));
+  }
+
+  /** What -h says, each option in one line. */
+  std::string
+  unwrappedHelp () const
+  {
+    return std::regex_replace (succeed ("pcl_normal_smoothing -h").out, std::regex ("\n {3,}"), " ");
   }
 
   /** Status 1, one line that holds \a word, no output. */
@@ -44,6 +53,21 @@ TEST_F (Usage, UnknownOption)
   expectRefused ("pcl_add_surface_noise mesh.off out.pcd -k 3", "-k");
   expectRefused ("pcl_smoothing_error mesh.off wave.pcd -k 3", "-k");
   expectRefused ("pcl_make_double_torus out.ply -k 3", "-k");
+}
+
+TEST_F (Usage, WhatWasPerhapsMeant)
+{
+  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -presset fast", "did you mean -preset?");
+  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -preset=fast", "write -preset fast");
+  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -max_displacement 0,005", "with a point");
+  expectRefused ("pcl_normal_smoothing wave.pcd out.pcd -max_displacement 5mm", "without a unit");
+}
+
+TEST_F (Usage, WhatHasNoEffectIsSaid)
+{
+  EXPECT_NE (succeed ("pcl_normal_smoothing wave.pcd out.pcd -k 100").err.find ("the nearest 32"), std::string::npos);
+  EXPECT_NE (succeed ("pcl_normal_smoothing wave.pcd out.pcd -noise_sigma 100").err.find ("in the cloud's unit?"),
+             std::string::npos);
 }
 
 TEST_F (Usage, MissingValue)
@@ -110,7 +134,7 @@ TEST_F (Usage, BothKAndRadius)
 
 TEST_F (Usage, HelpNamesEveryOptionWithItsDefault)
 {
-  const Ending help = succeed ("pcl_normal_smoothing -h");
+  const std::string help = unwrappedHelp ();
   for (const std::string option : {"-normals",
                                    "-weights",
                                    "-mixed",
@@ -133,22 +157,29 @@ TEST_F (Usage, HelpNamesEveryOptionWithItsDefault)
                                    "-threads",
                                    "-format",
                                    "-preset"}) {
-    const std::size_t begin = help.out.find ("\n  " + option + " ");
+    const std::size_t begin = help.find ("\n  " + option + " ");
     ASSERT_NE (begin, std::string::npos) << option;
-    EXPECT_NE (help.out.substr (begin, help.out.find ('\n', begin + 1) - begin).find ("default: "), std::string::npos)
+    EXPECT_NE (help.substr (begin, help.find ('\n', begin + 1) - begin).find ("default: "), std::string::npos)
         << option;
   }
   for (const std::string& tool : filters)
     EXPECT_EQ (succeed (tool + " anything.pcd -k -h").err, "");
 }
 
+TEST_F (Usage, HelpFitsAWindow)
+{
+  std::istringstream lines (succeed ("pcl_normal_smoothing -h").out);
+  for (std::string line; std::getline (lines, line);)
+    EXPECT_LE (line.size (), 120u) << line;
+}
+
 TEST_F (Usage, HelpTellsWhatTheChainBeginsWith)
 {
-  const Ending help = succeed ("pcl_normal_smoothing -h");
+  const std::string help = unwrappedHelp ();
   for (const char* standard :
        {"preset paper: 7; the chain in place of rounds: 15)", "preset paper: 7; the chain in place of rounds: 2)",
         "preset paper: no limit; the chain in place of rounds: no limit)"})
-    EXPECT_NE (help.out.find (standard), std::string::npos) << standard << "\n" << help.out;
+    EXPECT_NE (help.find (standard), std::string::npos) << standard << "\n" << help;
 }
 
 TEST_F (Usage, EveryToolTellsItsVersion)

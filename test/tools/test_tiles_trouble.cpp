@@ -113,9 +113,12 @@ TEST_F (TilesTrouble, FoldersThatHoldOtherThings)
   writeText (path ("tiles.d/thesis.txt"), "precious");
   expectRefused ("plan tiles.d cloud.pcd", 2, {"other files", "thesis.txt"});
   EXPECT_EQ (contentOf (path ("tiles.d/thesis.txt")), "precious");
-  expectRefused ("run tiles.d", 2, {"plan.json"});
-  expectRefused ("merge tiles.d -output out.pcd", 2, {"plan.json"});
-  expectRefused ("plan cloud.pcd cloud.pcd", 2, {path ("cloud.pcd")});
+  expectRefused ("run tiles.d", 2, {"holds no plan"});
+  expectRefused ("merge tiles.d -output out.pcd", 2, {"holds no plan"});
+  fs::copy_file (path ("cloud.pcd"), path ("cloud.copy"));
+  expectRefused ("plan cloud.copy cloud.pcd", 2, {path ("cloud.copy")});
+  expectRefused ("plan cloud.pcd tiles.d", 1, {"the folder for the tiles comes first"});
+  expectRefused ("plan other.d tiles.d", 2, {"is a folder"});
   fs::remove (path ("tiles.d/thesis.txt"));
   for (const char* left : {"plan.aBcDeF.json", "cells.aBcDeF.bin", "tile_000003.aBcDeF.result", "spill.aBcDeF"})
     writeText (path (std::string ("tiles.d/") + left), "by a process that was killed");

@@ -67,6 +67,24 @@ estimateNoise (const CloudFile& file, const core::Execution& execution)
   return core::estimateNoise (*cloud.graph, cloud.nodes, execution.part (0.9, 1)).inCloudUnit (cloud.nodes.unit);
 }
 
+std::string
+textOf (core::NoiseHiddenBy hidden_by)
+{
+  switch (hidden_by) {
+  case core::NoiseHiddenBy::LAYERS:
+    return "coordinates in steps, as a depth camera gives them";
+  case core::NoiseHiddenBy::LINES:
+    return "points on lines, as those of a lidar or a profiler";
+  case core::NoiseHiddenBy::ROUNDING:
+    return "rounded coordinates, as those of voxels or of few digits";
+  case core::NoiseHiddenBy::WIDTH:
+    return "noise wider than the points are apart, everywhere or in places";
+  case core::NoiseHiddenBy::NOTHING:
+    break;
+  }
+  return {};
+}
+
 void
 addNormalFields (CloudFile& file, const std::vector<std::string>& more)
 {
@@ -81,7 +99,7 @@ loadInput (const std::string& path)
   CloudFile file = loadCloud (path);
   positionsOf (file); // refuses a cloud without
   if (file.faces > 0)
-    note (path + ": " + counted (file.faces, "face is", "faces are") + " left out, the output is a cloud");
+    note (path + ": " + counted (file.faces, "face is", "faces are") + " ignored, its vertices are the cloud");
   return file;
 }
 

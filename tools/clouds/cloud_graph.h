@@ -46,6 +46,10 @@ searchNeighbors (const CloudFile& file, const core::NeighborQuery& query, const 
 core::NoiseEstimate
 estimateNoise (const CloudFile& file, const core::Execution& execution);
 
+/** What hides the noise, for people; empty for nothing. */
+std::string
+textOf (core::NoiseHiddenBy hidden_by);
+
 /** Adds the fields of normals that are missing, normal_x normal_y normal_z and \a more, with NaN. */
 void
 addNormalFields (CloudFile& file, const std::vector<std::string>& more = {});

@@ -4,7 +4,9 @@
 #include "files/field_values.h"
 
 #include <pcl_normal_smoothing/core/error.h>
+#include <pcl_normal_smoothing/core/smoothing.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -25,11 +27,28 @@ store (const pcl::PCLPointField& field, double number, std::uint8_t* point)
   else
     std::memcpy (point + field.offset, &single, sizeof single);
 }
+
+/** The variation of a point without a surface is NaN. */
+bool
+hasSurface (const core::LocalSurface& surface)
+{
+  return !std::isnan (surface.variation);
+}
 } // namespace
+
+core::Vectors
+loadNormals (const core::NeighborGraph& graph, const VectorLayout& normals, const CloudFile& file)
+{
+  const core::Vectors loaded = readNormals ({normals, file.cloud->data.data (), file.size ()}, graph.order ());
+  core::requireNormals (core::countNormals (loaded), NormalSource::INPUT);
+  return loaded;
+}
 
 void
 writeSurfaces (const core::NeighborGraph& graph, const std::vector<core::LocalSurface>& surfaces, CloudFile& file)
 {
+  core::requireNormals (static_cast<std::size_t> (std::count_if (surfaces.begin (), surfaces.end (), hasSurface)),
+                        NormalSource::PCA);
   addNormalFields (file, {"curvature"});
   const VectorLayout normals = normalLayoutOf (file, "remove or rename those that there are");
   const pcl::PCLPointField& curvature = *findField (*file.cloud, "curvature");

@@ -16,6 +16,7 @@ namespace tools
 namespace
 {
 constexpr std::int64_t max_iterations = 1000000;
+const char* const rounds_section = "Of the rounds, which the presets default and fast smooth in";
 
 const Words<SmoothingPreset> presets {{"default", SmoothingPreset::DEFAULT},
                                       {"fast", SmoothingPreset::FAST},
@@ -145,8 +146,15 @@ addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings&
   options.add ("-update_sigma_s", "S", "standard deviation of 1 - cosine of two normals in the point update",
                standard ([] (const auto& method) { return textOf (method.update.sigma_s); }),
                positiveOption ([&] (double sigma) { settings.setUpdateSigmaS (sigma); }));
-  options.add ("-point_iterations", "N",
-               "iterations of the point update; rounds, at most 6, of the presets default and fast",
+}
+
+void
+addMotionOptions (Options& options,
+                  const std::string& iterations,
+                  const Standard& standard,
+                  SmoothingSettings& settings)
+{
+  options.add ("-point_iterations", "N", iterations,
                standard ([] (const auto& m) { return textOf (m.robust ? m.rounds.rounds : m.update.iterations); }),
                integerOption (0, max_iterations, [&] (auto n) { settings.setPointIterations (static_cast<int> (n)); }));
   options.add ("-max_displacement", "D",
@@ -158,28 +166,33 @@ void
 addNoiseOptions (Options& options, SmoothingSettings& settings)
 {
   const double limit = std::numeric_limits<float>::infinity ();
-  options.add ("-noise_sigma", "S", "standard deviation of the noise along the normal, in the cloud's unit, for rounds",
+  options.add ("-noise_sigma", "S", "standard deviation of the noise along the normal, in the cloud's unit",
                "estimated from the cloud",
                numberOption (0, limit, [&] (double sigma) { settings.setNoiseSigma (sigma); }));
-  options.add ("-noise_varies", "0|1", "1: the noise may differ from place to place, sigma is its median, for rounds",
+  options.add ("-noise_varies", "0|1", "1: the noise may differ from place to place, sigma is its median",
                "1; 0 with -noise_sigma", switchOption ([&] (bool varies) { settings.setNoiseVaries (varies); }));
-  options.add (
-      "-widen_neighborhoods", "0|1",
-      "1: neighbourhoods grow where scan lines, steps of coordinates or wide noise hide the surface from them, "
-      "for rounds",
-      "1", switchOption ([&] (bool widen) { settings.setWidenNeighborhoods (widen); }));
-  options.add ("-point_spacing", "D", "distance between neighbouring points, in the cloud's unit, for rounds",
+  options.add ("-point_spacing", "D", "distance between neighbouring points, in the cloud's unit",
                "estimated from the cloud", numberOption (0, limit, [&] (double d) { settings.setPointSpacing (d); }));
   const OptionReader length = numberOption (0, limit, [&] (double d) { settings.setSheetDistance (d); });
   options.add (
       "-sheet_distance", "D|inf",
-      "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit, for rounds; "
+      "a neighbour farther off the tangent planes may lie on another sheet, in the cloud's unit; "
       "inf: all lie on one",
       "from the cloud: by the gap where close sheets are seen, inf for layers of a depth camera, else 4 noise_sigma "
-      "and more; for fast inf, but on the lines of a scan; see doc/normal_smoothing.md",
+      "and more; for fast inf, but on the lines of a scan",
       [&, length] (const std::string& text) {
         text == no_length ? settings.setSheetDistance (std::numeric_limits<double>::infinity ()) : length (text);
       });
+}
+
+void
+addWideningOption (Options& options, SmoothingSettings& settings)
+{
+  options.section (rounds_section);
+  options.add ("-widen_neighborhoods", "0|1",
+               "1: neighbourhoods grow where scan lines, steps of coordinates or wide noise hide the surface from them",
+               "1", switchOption ([&] (bool widen) { settings.setWidenNeighborhoods (widen); }));
+  options.section ("");
 }
 
 void
@@ -212,14 +225,20 @@ addMethodOptions (Options& options,
 {
   addPresetOptions (options, settings);
   search.addTo (options, ofPresets ([] (const MethodSettings& s) { return std::to_string (s.presetK ()); }), 3,
-                "; 4 with -normals wpca, 7 in rounds, of which 32 at most count");
-  addFilterOptions (options, presetStandard, settings);
-  addUpdateOptions (options, presetStandard, settings);
-  addNoiseOptions (options, settings);
+                " (4 with -normals wpca, 7 in rounds); rounds use the nearest 32 at most");
+  addMotionOptions (options,
+                    "rounds of the presets default and fast, at most 6; iterations of the chain's point update",
+                    presetStandard, settings);
   addOrientedOption (options, settings);
   options.add ("-save_normals", "0|1", "1: write the normals that the points fit to normal_x normal_y normal_z", "0",
                switchOption (save_normals));
   addSeedOption (options, "0", [&settings] (std::uint64_t seed) { settings.setSeed (seed); });
+  options.section (rounds_section);
+  addNoiseOptions (options, settings);
+  options.section ("Of the paper's chain");
+  addFilterOptions (options, presetStandard, settings);
+  addUpdateOptions (options, presetStandard, settings);
+  options.section ("");
 }
 
 std::string

@@ -24,13 +24,24 @@ standardOf (const SmoothingSettings& settings);
 void
 addFilterOptions (Options& options, const Standard& standard, SmoothingSettings& settings);
 
-/** -update -update_sigma_s -point_iterations -max_displacement */
+/** -update -update_sigma_s */
 void
 addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings& settings);
 
-/** -noise_sigma -noise_varies -widen_neighborhoods -point_spacing -sheet_distance */
+/** -point_iterations -max_displacement \param[in] iterations what the first one counts, for the help */
+void
+addMotionOptions (Options& options,
+                  const std::string& iterations,
+                  const Standard& standard,
+                  SmoothingSettings& settings);
+
+/** -noise_sigma -noise_varies -point_spacing -sheet_distance */
 void
 addNoiseOptions (Options& options, SmoothingSettings& settings);
+
+/** -widen_neighborhoods */
+void
+addWideningOption (Options& options, SmoothingSettings& settings);
 
 /** \param[in] k that is set; 0 = none
   * \throw UsageError where an option does not fit the others */
@@ -48,7 +59,7 @@ addPresetOptions (Options& options, SmoothingSettings& settings);
 void
 addOrientedOption (Options& options, SmoothingSettings& settings);
 
-/** All options of the method. \param[in] save_normals told -save_normals */
+/** All options of the method but -widen_neighborhoods. \param[in] save_normals told -save_normals */
 void
 addMethodOptions (Options& options,
                   SmoothingSettings& settings,

@@ -3,6 +3,8 @@
 
 #include "tool.h"
 
+#include <core/limits.h>
+
 namespace pcl_normal_smoothing
 {
 namespace tools
@@ -22,8 +24,11 @@ givenOf (const std::vector<std::string>& names, const Options& options)
 } // namespace
 
 void
-noteSurprises (const Options& options, const core::SmoothingOptions& method)
+noteSurprises (const Options& options, const core::SmoothingOptions& method, int k)
 {
+  if (method.robust && k > static_cast<int> (core::max_row_length))
+    note ("of the " + std::to_string (k) + " neighbours of -k the rounds use the nearest " +
+          std::to_string (core::max_row_length));
   if (method.robust)
     return;
   const std::map<std::string, std::string> given = options.given ();

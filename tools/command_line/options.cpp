@@ -4,10 +4,10 @@
 #include "files/tool_error.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -15,28 +15,40 @@ namespace tools
 {
 namespace
 {
-[[noreturn]] void
-refuse (const std::string& text, const std::string& expected)
+/** How many letters have to be put in, left out or changed to make one word of the other. */
+std::size_t
+editDistance (const std::string& a, const std::string& b)
 {
-  throw UsageError ("'" + text + "' is not " + expected);
+  std::vector<std::size_t> row (b.size () + 1);
+  std::iota (row.begin (), row.end (), std::size_t {0});
+  for (std::size_t i = 0; i < a.size (); ++i) {
+    std::size_t diagonal = std::exchange (row[0], i + 1);
+    for (std::size_t j = 0; j < b.size (); ++j) {
+      const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = std::exchange (row[j + 1], std::min ({changed, row[j] + 1, row[j + 1] + 1}));
+    }
+  }
+  return row.back ();
 }
 
-std::string
-shortest (double number)
-{
-  char digits[40];
-  return {digits, std::to_chars (digits, digits + sizeof digits, number).ptr};
-}
+constexpr std::size_t line_width = 110, most_width = 30; // of a line of the help, and of its column of names
 
-/** \return NaN where the text is no finite number */
-double
-finiteNumber (const std::string& text)
+/** Prints \a text behind what stands there already, broken between words, each further line indented by \a indent. */
+void
+printWrapped (const std::string& text, std::size_t indent)
 {
-  double number = 0;
-  const char* end = text.data () + text.size ();
-  const auto result = std::from_chars (text.data (), end, number);
-  const bool valid = result.ptr == end && result.ec == std::errc () && std::isfinite (number);
-  return valid ? number : std::nan ("");
+  std::size_t column = indent;
+  for (std::size_t begin = 0; begin < text.size ();) {
+    const std::size_t end = std::min (text.find (' ', begin), text.size ());
+    if (column > indent && column + 1 + end - begin > line_width) {
+      std::printf ("\n%*s", static_cast<int> (indent), "");
+      column = indent;
+    }
+    column += static_cast<std::size_t> (
+        std::printf ("%s%s", column > indent ? " " : "", text.substr (begin, end - begin).c_str ()));
+    begin = end + 1;
+  }
+  std::printf ("\n");
 }
 } // namespace
 
@@ -44,65 +56,6 @@ std::string
 version ()
 {
   return PCL_NORMAL_SMOOTHING_VERSION;
-}
-
-OptionReader
-integerOption (std::int64_t least, std::int64_t most, const std::function<void (std::int64_t)>& use)
-{
-  return [=] (const std::string& text) {
-    std::int64_t number = 0;
-    const char* end = text.data () + text.size ();
-    const auto result = std::from_chars (text.data (), end, number);
-    if (result.ptr != end || result.ec != std::errc () || number < least || number > most)
-      refuse (text, "a whole number from " + std::to_string (least) + " to " + std::to_string (most));
-    use (number);
-  };
-}
-
-OptionReader
-positiveOption (const std::function<void (double)>& use)
-{
-  return [=] (const std::string& text) {
-    const double number = finiteNumber (text);
-    if (!(static_cast<float> (number) > 0) || std::isinf (static_cast<float> (number))) // the work is done in float
-      refuse (text, "a number above 0");
-    use (number);
-  };
-}
-
-OptionReader
-numberOption (double least, double limit, const std::function<void (double)>& use)
-{
-  return [=] (const std::string& text) {
-    const double number = finiteNumber (text);
-    if (!(number >= least && static_cast<float> (number) < limit))
-      refuse (text, "a number of at least " + shortest (least) +
-                        (std::isinf (limit) ? std::string () : " and below " + shortest (limit)));
-    if (number != 0 && static_cast<float> (number) == 0) // the work is done in float
-      refuse (text, "0, or a number from 1e-38 on");
-    use (number);
-  };
-}
-
-OptionReader
-switchOption (const std::function<void (bool)>& use)
-{
-  return wordOption ({"0", "1"}, [use] (std::size_t i) { use (i == 1); });
-}
-
-OptionReader
-wordOption (const std::vector<std::string>& words, const std::function<void (std::size_t)>& use)
-{
-  return [=] (const std::string& text) {
-    const auto found = std::find (words.begin (), words.end (), text);
-    if (found == words.end ()) {
-      std::string list;
-      for (const std::string& word : words)
-        list += (list.empty () ? "" : ", ") + word;
-      refuse (text, "one of " + list);
-    }
-    use (static_cast<std::size_t> (found - words.begin ()));
-  };
 }
 
 void
@@ -119,7 +72,13 @@ Options::add (const std::string& name,
               const std::string& standard,
               const OptionReader& reader)
 {
-  options_.push_back ({name, value, help, standard, reader, false, {}});
+  options_.push_back ({name, value, help, standard, section_, reader, false, {}});
+}
+
+void
+Options::section (const std::string& heading)
+{
+  section_ = heading;
 }
 
 Options::Option*
@@ -164,7 +123,7 @@ Options::parse (int argc, char** argv)
   const std::string tool = std::filesystem::path (argv[0]).filename ().string ();
   const std::vector<std::string> words (argv + 1, argv + argc);
   const auto asked = [&] (const char* word) { return std::find (words.begin (), words.end (), word) != words.end (); };
-  if (asked ("-h") || asked ("--help")) {
+  if (asked ("-h") || asked ("-help") || asked ("--help")) {
     printHelp (tool);
     return false;
   }
@@ -179,7 +138,7 @@ Options::parse (int argc, char** argv)
     }
     Option* option = find (words[i]);
     if (!option)
-      throw UsageError ("unknown option " + words[i] + ": see " + tool + " -h");
+      refuseUnknown (words[i], tool);
     if (i + 1 == words.size () || find (words[i + 1]))
       throw UsageError ("option " + words[i] + " has no value: give " + words[i] + " " + option->value);
     try {
@@ -193,6 +152,20 @@ Options::parse (int argc, char** argv)
   }
   checkFiles (tool);
   return true;
+}
+
+void
+Options::refuseUnknown (const std::string& word, const std::string& tool) const
+{
+  const std::size_t equals = word.find ('=');
+  const std::string name = word.substr (0, equals);
+  std::string hint = "see " + tool + " -h";
+  for (const Option& option : options_)
+    if (equals != std::string::npos && option.name == name)
+      hint = "write " + name + " " + word.substr (equals + 1);
+    else if (name.size () > 3 && editDistance (option.name, name) <= 2)
+      hint = "did you mean " + option.name + "? " + "See " + tool + " -h";
+  throw UsageError ("unknown option " + word + ": " + hint);
 }
 
 bool
@@ -252,15 +225,37 @@ Options::printHelp (const std::string& tool) const
   std::printf ("%s\n\n%s\n\nOptions, before or after the file names:\n", purpose_.c_str (), synopsis.c_str ());
   std::size_t width = 8; // of -version
   for (const Option& option : options_)
-    width = std::max (width, option.name.size () + 1 + option.value.size ());
-  for (const Option& option : options_)
-    std::printf ("  %-*s  %s (default: %s)\n", static_cast<int> (width), (option.name + " " + option.value).c_str (),
-                 option.help.c_str (), option.standard.c_str ());
+    width = std::max (width, std::min (most_width, option.name.size () + 1 + option.value.size ()));
+  printOptions ("", width);
   std::printf ("  %-*s  this help\n  %-*s  the version\n", static_cast<int> (width), "-h", static_cast<int> (width),
                "-version");
+  std::vector<std::string> sections;
+  for (const Option& option : options_)
+    if (!option.section.empty () && std::find (sections.begin (), sections.end (), option.section) == sections.end ())
+      sections.push_back (option.section);
+  for (const std::string& section : sections) {
+    std::printf ("\n%s:\n", section.c_str ());
+    printOptions (section, width);
+  }
   std::printf (
       "\nexit status: 0 done, 1 wrong usage, 2 a file cannot be read or written, 3 the data cannot be worked on,\n"
       "130 or 143 interrupted; nothing is written then.\n");
+}
+
+void
+Options::printOptions (const std::string& section, std::size_t width) const
+{
+  const std::size_t indent = width + 4;
+  for (const Option& option : options_) {
+    if (option.section != section)
+      continue;
+    const std::string name = option.name + " " + option.value;
+    if (name.size () > width)
+      std::printf ("  %s\n%*s", name.c_str (), static_cast<int> (indent), "");
+    else
+      std::printf ("  %-*s  ", static_cast<int> (width), name.c_str ());
+    printWrapped (option.help + " (default: " + option.standard + ")", indent);
+  }
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

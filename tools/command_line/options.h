@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <functional>
+#include "option_readers.h"
+
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pcl_normal_smoothing
@@ -16,65 +15,6 @@ namespace tools
 std::string
 version ();
 
-/** Takes the text behind an option. \throw UsageError that says what would have been right */
-using OptionReader = std::function<void (const std::string& text)>;
-
-/** A whole number from \a least to \a most. */
-OptionReader
-integerOption (std::int64_t least, std::int64_t most, const std::function<void (std::int64_t)>& use);
-
-/** A number above 0. */
-OptionReader
-positiveOption (const std::function<void (double)>& use);
-
-/** A number of at least \a least and below \a limit. */
-OptionReader
-numberOption (double least, double limit, const std::function<void (double)>& use);
-
-/** 0 or 1. */
-OptionReader
-switchOption (const std::function<void (bool)>& use);
-
-/** One of several words. */
-template <typename T>
-using Words = std::vector<std::pair<std::string, T>>;
-
-/** One of several words, given by its number. */
-OptionReader
-wordOption (const std::vector<std::string>& words, const std::function<void (std::size_t)>& use);
-
-template <typename T>
-OptionReader
-choiceOption (const Words<T>& words, const std::function<void (T)>& use)
-{
-  std::vector<std::string> names;
-  for (const auto& word : words)
-    names.push_back (word.first);
-  return wordOption (names, [words, use] (std::size_t i) { use (words[i].second); });
-}
-
-/** The word that stands for a value. */
-template <typename T>
-std::string
-wordFor (const Words<T>& words, T value)
-{
-  for (const auto& [word, meaning] : words)
-    if (meaning == value)
-      return word;
-  return {};
-}
-
-/** "a|b|c" for the help. */
-template <typename T>
-std::string
-wordList (const Words<T>& words)
-{
-  std::string list;
-  for (const auto& word : words)
-    list += (list.empty () ? "" : "|") + word.first;
-  return list;
-}
-
 /** The command line of a tool: file names, and single-dash options with a value, in any order. */
 class Options
 {
@@ -84,6 +24,11 @@ public:
     *            number of files, none as well, one in brackets for a file that may be missing */
   void
   describe (const std::string& purpose, const std::vector<std::string>& files);
+
+  /** The options that are added from now on stand under a heading of their own in the help.
+    * \param[in] heading without its colon; empty: under the first one, with all that belong to no other */
+  void
+  section (const std::string& heading);
 
   /** \param[in] name with its dash
     * \param[in] value what to write in its place in the help
@@ -127,7 +72,7 @@ public:
 private:
   struct Option
   {
-    std::string name, value, help, standard;
+    std::string name, value, help, standard, section;
     OptionReader reader;
     bool given;
     std::string text;
@@ -136,12 +81,20 @@ private:
   Option*
   find (const std::string& name);
 
+  /** \throw UsageError always, with the option that was perhaps meant */
+  [[noreturn]] void
+  refuseUnknown (const std::string& word, const std::string& tool) const;
+
   /** "usage: ..." */
   std::string
   usage (const std::string& tool) const;
 
   void
   printHelp (const std::string& tool) const;
+
+  /** \param[in] width of the column of names */
+  void
+  printOptions (const std::string& section, std::size_t width) const;
 
   /** \throw UsageError where there are too few or too many file names */
   void
@@ -155,6 +108,7 @@ private:
   std::vector<std::string> file_roles_;
   std::vector<std::string> files_;
   std::vector<std::string> file_options_;
+  std::string section_; // of the options that are added
   std::vector<Option> options_;
 };
 } // namespace tools

@@ -85,12 +85,24 @@ readFile (const std::string& path)
   return bytes;
 }
 
+std::string
+cloudExtensionOf (const std::string& path)
+{
+  const std::string extension = extensionOf (path);
+  if (extension == ".pcd" || extension == ".ply")
+    return extension;
+  if (path == "-" || path == "/dev/stdin")
+    throw FileError (path, "is the standard input", "use a named pipe whose name ends in .pcd or .ply");
+  if (extension == ".off" || extension == ".obj" || extension == ".stl")
+    throw FileError (path, "is a mesh", "save its vertices as PLY; pcl_add_surface_noise makes a noisy cloud of it");
+  throw FileError (path, "is neither a PCD nor a PLY file by its extension",
+                   "convert it to one of them: CloudCompare and PDAL read most others");
+}
+
 CloudFile
 loadCloud (const std::string& path)
 {
-  const std::string extension = extensionOf (path);
-  if (extension != ".pcd" && extension != ".ply")
-    throw FileError (path, "is no cloud by its extension", "give a PCD or a PLY file");
+  const std::string extension = cloudExtensionOf (path);
   const std::string bytes = readFile (path);
   CloudFile file;
   file.path = path;

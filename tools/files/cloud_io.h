@@ -62,6 +62,10 @@ checkOutput (const std::string& path, FileFormat format);
 std::string
 extensionOf (const std::string& path);
 
+/** ".pcd" or ".ply". \throw FileError for a path that ends in anything else */
+std::string
+cloudExtensionOf (const std::string& path);
+
 /** The bytes of a file, or of what comes out of a pipe. \throw FileError */
 std::string
 readFile (const std::string& path);

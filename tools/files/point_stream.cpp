@@ -30,9 +30,7 @@ withPath (const std::string& path, const Work& work)
 
 PointFile::PointFile (const std::string& path) : path_ (path), bytes_ (std::filesystem::path (path))
 {
-  const std::string extension = extensionOf (path);
-  if (extension != ".pcd" && extension != ".ply")
-    throw FileError (path, "is no cloud by its extension", "give a PCD or a PLY file");
+  const std::string extension = cloudExtensionOf (path);
   reader_ = withPath (path, [&] {
     return extension == ".pcd" ? makePcdReader (bytes_, most_points) : makePlyReader (bytes_, most_points);
   });

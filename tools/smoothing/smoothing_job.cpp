@@ -19,6 +19,11 @@ namespace tools
 {
 namespace
 {
+// Fewer show no noise: each neighbourhood is fitted by them exactly, or nearly so.
+constexpr std::size_t least_points = 10;
+// Of sigma to the spacing. Noise that is read never is so wide.
+constexpr float absurd_ratio = 10;
+
 /** What to say where a float is too coarse for coordinates so far from the origin; empty where it is not.
   * \param[in] spacing 0: not known */
 std::string
@@ -46,6 +51,7 @@ void
 SmoothingJob::addOptions (Options& options)
 {
   addMethodOptions (options, smoothing_, search_, [this] (bool save) { smoothing_.setSaveNormals (save); });
+  addWideningOption (options, smoothing_);
   format_.addTo (options);
 }
 
@@ -54,7 +60,7 @@ SmoothingJob::check (const Options& options) const
 {
   query ();
   checkOptions (smoothing_.options (), search_.k);
-  noteSurprises (options, smoothing_.options ());
+  noteSurprises (options, smoothing_.options (), search_.k);
 }
 
 void
@@ -100,7 +106,11 @@ SmoothingJob::noteTrouble (const CloudFile& input) const
   if (const std::string coarseness = coarsenessOf (input, noise.spacing); !coarseness.empty ())
     note (input.path + ": " + coarseness);
   else if (used.rounds.rounds > 0 && noise.sigma == 0 && smoothing_.options ().rounds.noise.sigma < 0)
-    note (input.path + ": no noise was found, nothing moves: give -noise_sigma if there is some");
+    note (input.path + (input.size () < least_points ? ": so few points show no noise" : ": no noise was found") +
+          ", nothing moves: give -noise_sigma if there is some");
+  else if (noise.spacing > 0 && noise.sigma > absurd_ratio * noise.spacing)
+    note (input.path + ": a noise of " + core::numberText (noise.sigma / noise.spacing) +
+          " times the distance between points is far too large to be smoothed: is -noise_sigma in the cloud's unit?");
 }
 
 std::string
@@ -126,7 +136,7 @@ SmoothingJob::smooth (const std::string& input,
   stopwatch.lap ("smooth");
   saveCloud (file, output, format_.format);
   stopwatch.lap ("write");
-  SmoothingResult result {file.size (), parameters (), {}};
+  SmoothingResult result {file.size (), parameters (), textOf (smoothing_.usedOptions ().rounds.noise.hidden_by), {}};
   if (!with_report)
     return result;
   result.report = Json {{"input", input}, {"output", output}, {"version", version ()}, {"points", result.points}};

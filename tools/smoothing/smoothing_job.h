@@ -19,6 +19,8 @@ struct SmoothingResult
   std::size_t points = 0;
   /** As options that give the same smoothing again. */
   std::string parameters;
+  /** What hides the noise of the cloud from small neighbourhoods; empty: nothing. */
+  std::string found;
   /** Empty unless asked for. */
   Json report;
 };

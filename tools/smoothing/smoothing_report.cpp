@@ -2,11 +2,11 @@
 #include "smoothing_report.h"
 
 #include "clouds/cloud_graph.h"
+#include "command_line/option_readers.h"
 #include "files/output_file.h"
 #include "files/tool_error.h"
 
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
-#include <pcl_normal_smoothing/run_settings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +16,15 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
+namespace
+{
+const Words<core::NoiseHiddenBy> hiders {{"nothing", core::NoiseHiddenBy::NOTHING},
+                                         {"layers", core::NoiseHiddenBy::LAYERS},
+                                         {"lines", core::NoiseHiddenBy::LINES},
+                                         {"rounding", core::NoiseHiddenBy::ROUNDING},
+                                         {"width", core::NoiseHiddenBy::WIDTH}};
+} // namespace
+
 void
 Stopwatch::lap (const std::string& name)
 {
@@ -43,7 +52,8 @@ noiseOf (const CloudFile& noisy, const core::SmoothingOptions& used, const core:
   return {{"sigma", noise.sigma},
           {"smallest", noise.sigma * noise.field.smallestFactor ()},
           {"largest", noise.sigma * noise.field.largestFactor ()},
-          {"spacing", noise.spacing}};
+          {"spacing", noise.spacing},
+          {"hidden_by", wordFor (hiders, noise.hidden_by)}};
 }
 
 Json

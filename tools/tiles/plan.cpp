@@ -191,6 +191,8 @@ Plan
 loadPlan (const std::string& folder)
 {
   const std::string path = planPath (folder);
+  if (std::error_code error; !std::filesystem::exists (path, error))
+    throw FileError (folder, "holds no plan", "make one: pcl_normal_smoothing_tiles plan " + folder + " input...");
   try {
     const Json json = Json::parse (readFile (path));
     if (json.at ("format") != format_version || json.at ("version") != version ())

@@ -100,7 +100,7 @@ private:
                        std::to_string (unfinished.size ()) + " of " + std::to_string (plan_.tiles.size ()) +
                            " tiles have no complete result:" + numbers + (unfinished.size () > 100 ? " ..." : ""),
                        "run them");
-    core::requireNormals (with_normal);
+    core::requireNormals (with_normal, plan_.options.normals);
   }
 
   void

@@ -58,9 +58,11 @@ TilesCommand::addOptions (Options& options)
           "run. Every step can be run again: what is done stays.\n") +
           presets_and_chain,
       {"plan|run|merge|list", "folder", "input.pcd|ply..."});
-  options.add ("-memory", "G", "of plan and merge: gigabytes that they may take, at least 0.01, and that run will have for a tile",
-               "half of this machine's",
-               numberOption (0.01, 1e6, [this] (double size) { memory_ = static_cast<std::uint64_t> (size * gigabyte); }));
+  options.add ("-memory", "G",
+               "of plan and merge: gigabytes that they may take, at least 0.01, and that run will have for a tile",
+               "half of this machine's", numberOption (0.01, 1e6, [this] (double size) {
+                 memory_ = static_cast<std::uint64_t> (size * gigabyte);
+               }));
   addPlanOptions (options);
   addRunOptions (options);
   addMergeOptions (options);
@@ -74,6 +76,8 @@ TilesCommand::addPlanOptions (Options& options)
                  request_.max_points = static_cast<std::uint64_t> (points);
                }));
   addMethodOptions (options, method_, search_, [this] (bool save) { request_.save_normals = save; });
+  options.add ("-widen_neighborhoods", "0", "tiles keep neighbourhoods as they are; 1 is refused", "0",
+               switchOption ([this] (bool widen) { method_.setWidenNeighborhoods (widen); }));
 }
 
 void
@@ -87,7 +91,7 @@ TilesCommand::addRunOptions (Options& options)
         std::size_t first, second;
         char kind;
         if (text != "all" && !parseTiles (text, first, kind, second))
-          throw UsageError ("'" + text + "' is not all, a number, two as 3-5, or two as 3/8, the first below");
+          throw UsageError ("'" + text + "' is not all, N, FIRST-LAST, or I/N for every N-th from I on, I below N");
         tiles_ = text;
       });
 }
@@ -141,6 +145,8 @@ TilesCommand::readRequest (const Options& options)
       throw UsageError (std::string ("option ") + name + " is none of plan");
   for (std::size_t i = 2; !options.file (i).empty (); ++i)
     request_.files.push_back (options.file (i));
+  if (const std::string extension = extensionOf (options.file (1)); extension == ".pcd" || extension == ".ply")
+    throw UsageError (options.file (1) + ": the folder for the tiles comes first: plan folder input...");
   if (request_.files.empty ())
     throw UsageError ("no file is given: plan needs PCD or PLY files");
   request_.folder = options.file (1);
@@ -150,7 +156,7 @@ TilesCommand::readRequest (const Options& options)
         "-widen_neighborhoods 1: a tile keeps the neighbourhoods as they are, for wider ones might span all of "
         "the cloud: give 0, or leave the option out");
   checkOptions (request_.options, search_.k);
-  noteSurprises (options, request_.options);
+  noteSurprises (options, request_.options, search_.k);
   request_.query = search_.query (method_.presetK ());
   request_.query.distinct = request_.options.robust;
   request_.threads = search_.threads;

@@ -50,6 +50,10 @@ checkNeighborCount (const SmoothingOptions& options, int k);
 int
 smoothingDepth (const SmoothingOptions& options);
 
+/** How many of them are not NaN. */
+std::size_t
+countNormals (const Vectors& normals);
+
 /** The first step of smooth: the normals that it begins with.
   * \param[in,out] surface its normals stay as they are for NormalSource::INPUT
   * \return how many nodes have one */
@@ -61,7 +65,7 @@ estimateFirstNormals (const NeighborGraph& graph,
 
 /** \throw Error for 0 */
 void
-requireNormals (std::size_t nodes_with_normal);
+requireNormals (std::size_t nodes_with_normal, NormalSource source);
 
 /** The other steps of smooth. */
 void

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../nodes_where.h"
+#include "../quantile.h"
 
 #include "neighborhood_widening.h"
 
@@ -38,7 +39,29 @@ halvingsOfNodes (const Widening& widening, const Positions& nodes, const Executi
   });
   return halvings;
 }
+
+/** They are a step of the rounding apart. */
+bool
+areOfRounding (const LayerEstimate& layers, const CoordinateRounding& rounding)
+{
+  constexpr float most_steps = 1.5f;
+  return layers.hasLayers () && quantile (layers.steps.values (), .5) < most_steps * rounding.step;
+}
 } // namespace
+
+NoiseHiddenBy
+Widening::hiddenBy () const
+{
+  if (areOfRounding (layers, rounding))
+    return NoiseHiddenBy::ROUNDING;
+  if (layers.hasLayers ())
+    return NoiseHiddenBy::LAYERS;
+  if (lines.hasLines ())
+    return NoiseHiddenBy::LINES;
+  if (isNeeded () || projects ())
+    return NoiseHiddenBy::WIDTH;
+  return rounding.is_seen ? NoiseHiddenBy::ROUNDING : NoiseHiddenBy::NOTHING;
+}
 
 Widening
 estimateWidening (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)

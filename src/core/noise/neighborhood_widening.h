@@ -5,6 +5,7 @@
 #include "layer_estimate.h"
 #include "line_estimate.h"
 #include "wide_noise.h"
+#include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 
 namespace pcl_normal_smoothing
 {
@@ -41,6 +42,10 @@ struct Widening
   {
     return !wide_noise.ratios.regions.empty ();
   }
+
+  /** The first that applies; rounding before layers that are its own. */
+  NoiseHiddenBy
+  hiddenBy () const;
 
   /** How often the number of points must be halved until neighbourhoods in what is left show the surface. */
   const RegionalField&

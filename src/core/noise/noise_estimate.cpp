@@ -162,15 +162,15 @@ NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   const Widening widening = estimateWidening (graph, nodes, execution);
-  const NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution), widening.roundingAlone ());
+  NoiseEstimate noise = estimateNoise (sampleNoise (graph, nodes, execution), widening.roundingAlone ());
+  noise.hidden_by = widening.hiddenBy ();
   if (widening.projects ())
-    return {widening.wide_noise.sigma, noise.spacing, widening.wide_noise.field};
+    return {widening.wide_noise.sigma, noise.spacing, widening.wide_noise.field, noise.hidden_by};
   const auto wide = widenNeighborhoods (graph, nodes, widening, execution);
   if (!wide)
     return noise;
-  NoiseEstimate of_wide = estimateNoise (sampleNoise (*wide, nodes, execution), widening);
-  of_wide.spacing = noise.spacing;
-  return of_wide;
+  const NoiseEstimate of_wide = estimateNoise (sampleNoise (*wide, nodes, execution), widening);
+  return {of_wide.sigma, noise.spacing, of_wide.field, noise.hidden_by};
 }
 
 NoiseEstimate

@@ -170,4 +170,10 @@ TEST (CoordinateRoundingTest, NoNoiseIsNotMadeSome)
   EXPECT_FLOAT_EQ (seen.atLeast (0), 0.04f);
   EXPECT_EQ (none.atLeast (0.3f), 0.3f);
 }
+
+TEST (CoordinateRoundingTest, HidesTheNoise)
+{
+  EXPECT_EQ (noiseHiddenBy (rounded (sphere (200000, 1).points, 0.02f)), NoiseHiddenBy::ROUNDING);
+  EXPECT_EQ (noiseHiddenBy (rounded (sphere (8000, 1).points, 1e-5f)), NoiseHiddenBy::NOTHING);
+}
 } // namespace

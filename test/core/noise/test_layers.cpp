@@ -278,4 +278,9 @@ TEST_P (LayersPresets, WideStepsAreSmoothed)
 INSTANTIATE_TEST_SUITE_P (Presets, LayersPresets, testing::Bool (), [] (const auto& preset) {
   return preset.param ? "Fast" : "Default";
 });
+
+TEST (LayersTest, HideTheNoise)
+{
+  EXPECT_EQ (noiseHiddenBy (inSteps (tilted, 0.02)), NoiseHiddenBy::LAYERS);
+}
 } // namespace

@@ -240,4 +240,10 @@ TEST_P (LinesPresets, ProfilesOfABallAreSmoothed)
 INSTANTIATE_TEST_SUITE_P (Presets, LinesPresets, testing::Bool (), [] (const auto& preset) {
   return preset.param ? "Fast" : "Default";
 });
+
+TEST (LinesTest, HideTheNoise)
+{
+  EXPECT_EQ (noiseHiddenBy (lidar (0.01)), NoiseHiddenBy::LINES);
+  EXPECT_EQ (noiseHiddenBy (ScannedRoom (60, 1, 1, 0.01).points), NoiseHiddenBy::NOTHING);
+}
 } // namespace

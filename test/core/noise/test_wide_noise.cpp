@@ -257,4 +257,10 @@ TEST (WideNoiseTest, SoItDoesOfEvenPointsWhereItIsReadInPart)
   EXPECT_NEAR (takenOverRead (noisySphere (0.8)), 1.6, 0.01);
 }
 
+TEST (WideNoiseTest, HidesItself)
+{
+  for (const Vectors& wide : {square (1), waves (1, 0.15), withNoiseOfDepth (twoWalls (1, 5), 0.002)})
+    EXPECT_EQ (noiseHiddenBy (wide), NoiseHiddenBy::WIDTH);
+  EXPECT_EQ (noiseHiddenBy (square (0.2)), NoiseHiddenBy::NOTHING);
+}
 } // namespace

@@ -8,6 +8,16 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
+/** What hides noise from small neighbourhoods, so that it is read from wider ones. */
+enum class NoiseHiddenBy
+{
+  NOTHING,
+  LAYERS,   //!< coordinates come in steps, as those of a depth camera
+  LINES,    //!< points lie on lines, as those of a lidar or a profiler
+  ROUNDING, //!< coordinates are rounded, to voxels or few digits
+  WIDTH     //!< the noise is wider than the points are apart, everywhere or in places
+};
+
 /** What a cloud tells of its noise, in the unit of its positions. */
 struct NoiseEstimate
 {
@@ -17,12 +27,13 @@ struct NoiseEstimate
   float spacing = 0;
   /** How sigma varies over the cloud. */
   NoiseField field = {};
+  NoiseHiddenBy hidden_by = NoiseHiddenBy::NOTHING;
 
   /** The same in the cloud's unit: see Positions::unit. */
   NoiseEstimate
   inCloudUnit (double unit) const
   {
-    return {static_cast<float> (sigma * unit), static_cast<float> (spacing * unit), field.inUnit (1 / unit)};
+    return {static_cast<float> (sigma * unit), static_cast<float> (spacing * unit), field.inUnit (1 / unit), hidden_by};
   }
 };
 
