@@ -11,9 +11,9 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** Moves the lanes' points along the surface, away from those that came closer than they were, and closer than half of
-  * the spacing: half of what is missing, the other one moves the rest. Beside an edge nothing moves: along one of its
-  * planes a point would leave the other. */
+/** Moves the lanes' points along the surface, away from those that came closer than they were, and closer than half
+  * the spacing: by half of what is missing, as the other point moves the rest. Beside an edge nothing moves: along
+  * one of its planes a point would leave the other. */
 LANES_INLINE void
 keepApart (const KeepApartStep& step, const BlockRows& rows, int first)
 {
@@ -22,7 +22,7 @@ keepApart (const KeepApartStep& step, const BlockRows& rows, int first)
   const Points now (step.nodes.base, step.nodes.offset, own), before (step.nodes.base, step.start, own);
   const Lanes3 normal = load3 (step.nodes.normals, own);
   const std::size_t count = rows.length < max_near ? rows.length : max_near;
-  Lanes sq_reach = {}; // of the eighth, or the last of a shorter row
+  Lanes sq_reach = {}; // of the eighth point of the row, or of the last of a shorter one
   for (std::size_t j = 1; j < (count < nearest ? count : nearest); ++j) {
     const Lanes3 way = before.difference (own + block_size * j);
     sq_reach = isOther (own + block_size * j, own) ? dot (way, way) : sq_reach;
@@ -40,7 +40,7 @@ keepApart (const KeepApartStep& step, const BlockRows& rows, int first)
     const Lanes wanted = minimum (squareRoot (dot (way_before, way_before)), 0.5f * spacing);
     const Lanes missing = maximum (wanted - squareRoot (dot (way, way)), splat (0));
     const Lanes3 along = way - dot (way, normal) * normal;
-    const Lanes sq_length = dot (along, along); // a point above or below lies in no direction along the surface
+    const Lanes sq_length = dot (along, along); // a point right above or below gives no direction along the surface
     sum = sum - (sq_length > 0.01f * dot (way, way) ? 0.5f * missing / squareRoot (sq_length) : splat (0)) * along;
   }
   const Lanes length = squareRoot (dot (sum, sum)), limit = 0.25f * spacing;

@@ -9,7 +9,7 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** How many neighbours lie on another sheet: those whose normal is much the same, and that are too far from the mean of
+/** Counts the neighbours on another sheet: those with a similar normal, up to its sign, and too far from the mean of
   * both tangent planes. */
 LANES_INLINE void
 countOthers (const OtherSheetTest& test, const BlockRows& rows, int first)

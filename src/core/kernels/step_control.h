@@ -10,16 +10,16 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** What a step of the lanes' points may cost. */
+/** The limit on the risk of the lanes' steps. */
 LANES_INLINE Lanes
 gainOf (const StepGain& gain, const std::uint32_t* own)
 {
   return gain.usual * load1OrOne (gain.factors, own);
 }
 
-/** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and
-  * |d.n|. The first is bounded: an outlier, which goes the same way round after round, says nothing of the points
-  * around. */
+/** The risk of a proposed step d along the point's normal n: (distance moved since the first round) * d.n, and
+  * |d.n|. The first is bounded: an outlier, which moves the same way round after round, says nothing about the
+  * points around. */
 LANES_INLINE void
 stepRisks (const StepRisks& task, const BlockRows& rows, int first)
 {
@@ -32,7 +32,7 @@ stepRisks (const StepRisks& task, const BlockRows& rows, int first)
   store2 (task.risks, own, {valid ? product : splat (0), valid ? absolute (step) : splat (0)});
 }
 
-/** Weights for averaging over neighbours: near, and with a similar normal; from 0 to 15. */
+/** Weights for averaging over neighbours, from 0 to 15: by distance and similarity of the normals. */
 LANES_INLINE void
 averagingWeights (const AveragingWeights& task, const BlockRows& rows, int first)
 {
@@ -54,7 +54,7 @@ averagingWeights (const AveragingWeights& task, const BlockRows& rows, int first
   }
 }
 
-/** One averaging of the risks over the neighbourhoods. */
+/** Averages the risks over the neighbourhoods, once. */
 LANES_INLINE void
 averageRisks (const RiskAverages& task, const BlockRows& rows, int first)
 {
@@ -79,9 +79,9 @@ averageRisks (const RiskAverages& task, const BlockRows& rows, int first)
   store2 (task.averaged, own, {scale * sum_product, scale * sum_size});
 }
 
-/** Takes the share of the proposed step that the risk allows: with a and s the averages of stepRisks, the mean square
-  * of the step is q = (pi / 2) s^2 (of a Gaussian, from its mean size: heavy tails count less), and the share is the
-  * fourth power of (gain - a) / q within [0, 1]: nearly all of the step or little. */
+/** Takes the share of the proposed step that the risk allows. With a and s the averages of stepRisks, the mean
+  * square of the step is q = (pi / 2) s^2 (from its mean size, as for a Gaussian: heavy tails count less). The share
+  * is the fourth power of (limit - a) / q, clamped to [0, 1]: nearly all of the step or little. */
 LANES_INLINE void
 takeSteps (const StepsToTake& task, const BlockRows& rows, int first)
 {
@@ -92,7 +92,7 @@ takeSteps (const StepsToTake& task, const BlockRows& rows, int first)
   Lanes share = q > 0 ? minimum (maximum ((gainOf (task.gain, own) - risk.x) / q, splat (0)), splat (1)) : splat (0);
   share *= share;
   share *= share;
-  // What is taken may stand where it was proposed.
+  // The taken steps may be stored in place of the proposed ones.
   const Lanes3 step = load3Alone (task.proposed, own) - offset;
   const Lanes3 taken = start + capped ((offset + share * step) - start, task.max_displacement);
   store3 (task.taken, own, taken);
