@@ -44,8 +44,9 @@ private:
 LANES_INLINE void
 findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
 {
-  constexpr std::int32_t rank_window =
-      2; // the continuation is about as long as the step to the neighbour, so its rank there is similar
+  // The continuation is about as long as the step to the neighbour, so its rank there is similar: try ranks at most 2
+  // off.
+  constexpr std::int32_t rank_window = 2;
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
   const std::size_t block = own[0] / block_size;

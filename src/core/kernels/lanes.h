@@ -107,8 +107,8 @@ loadShorts (const std::uint16_t* from)
 LANES_INLINE Lanes
 minimum (Lanes a, Lanes b)
 {
-#if defined( \
-    __AVX512F__) // gcc compiles a ?: into two instructions; the unmasked intrinsic would do, but gcc warns inside its own header
+#if defined(__AVX512F__)
+  // gcc compiles a ?: into two instructions; the unmasked intrinsic would do, but gcc warns inside its own header.
   return (Lanes) _mm512_maskz_min_ps (0xffff, (__m512) a, (__m512) b);
 #else
   return a < b ? a : b;
@@ -197,8 +197,8 @@ expOfMinus (Lanes x)
   const Lanes power_of_half = minimum (splat (127.0f), x * log2_e);
   const Lanes shifted = round_to_integer - power_of_half;
   const Lanes r = power_of_half + (shifted - round_to_integer);
-  Lanes polynomial = splat (
-      -0.00133002584f); // highest coefficient of six; minimax among polynomials that begin 1 - r ln 2: relative error 1.05e-7
+  // Begins with 1 - r ln 2; the minimax polynomial of those: relative error 1.05e-7.
+  Lanes polynomial = splat (-0.00133002584f);
   constexpr float coefficients[] = {0.00966971833f, -0.0555055998f, 0.240222812f, -0.693147182f, 1.0f};
   for (const float coefficient : coefficients)
     polynomial = polynomial * r + coefficient;

@@ -76,8 +76,8 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
   const Lanes reach_factor = reachFactor (neighbors, rows) * step.reach_scale * load1OrOne (step.reach_factors, own);
   const Lanes residual_factor = step.residual_factor / load1OrOne (step.variance_factors, own);
   Lanes3 sum = {};
-  Lanes weights =
-      own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself, which adds nothing to the sum
+  // The point itself counts too: it adds nothing to the sum.
+  Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0);
   for (std::size_t j = 1; j < rows.length; ++j) {
     const NeighborPlane neighbor = neighbors (j);
     const Lanes height = neighbor.height, x = 1 - similarity (neighbor.cosine, step.oriented);
