@@ -29,7 +29,7 @@ StepTaking::take (int round, const NodeArrays& nodes, const Execution& execution
   const StepGain gain = gainOf (round);
   float* proposed = steps.data ()->data ();
   run (kernels ().step_risks, StepRisks {nodes, proposed, moved_.data (), gain, risks_.data ()});
-  if (round == 0) // normals and positions change little afterwards
+  if (round == 0) // normals and positions change little later on
     run (kernels ().averaging_weights, AveragingWeights {nodes, options_.oriented, weights_.data ()});
   averageRisks (execution);
   float* moved = round == 0 ? nullptr : moved_.data ();

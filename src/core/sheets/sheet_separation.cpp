@@ -17,7 +17,7 @@ namespace core
 namespace
 {
 /** Nodes with enough neighbours on another sheet.
-  * \param[in] nodes that are asked; null: all */
+  * \param[in] nodes to examine; null: all */
 std::vector<std::uint32_t>
 nodesBesideOtherSheets (const NeighborGraph& graph,
                         const SheetTest& test,
@@ -33,7 +33,7 @@ nodesBesideOtherSheets (const NeighborGraph& graph,
   });
 }
 
-/** Nodes one of whose neighbours is among \a nodes. */
+/** Nodes that have one of \a nodes in their row. */
 std::vector<std::uint32_t>
 nodesNear (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes, const Execution& execution)
 {
@@ -51,11 +51,11 @@ nodesNear (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes, 
   return nodesWhere (graph.size (), [&] (std::uint32_t node) { return is_near[node] != 0; });
 }
 
-/** Nodes, each once: neighbours of neighbours are mostly the same, and sorting them all would take most of the time. */
+/** A set of nodes: neighbours of neighbours mostly coincide, and sorting them all would take most of the time. */
 class NodeSet
 {
 public:
-  /** \param[in] most nodes that will be inserted, repetitions counted */
+  /** \param[in] most upper bound on the insertions, repeated ones included */
   void
   clear (std::size_t most)
   {
@@ -89,12 +89,12 @@ public:
 private:
   static constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
 
-  std::vector<std::uint32_t> table_; // of a power of two, at most half full
+  std::vector<std::uint32_t> table_; // size a power of two, at most half full
   std::vector<std::uint32_t> nodes_;
 };
 
-/** Writes the rows of nodes beside another sheet, from the neighbours of their neighbours on the own one: the first
-  * sheet_row_length of each, or long rows would take their length squared in time and memory. */
+/** Fills the rows of nodes beside another sheet with neighbours of their neighbours on the same sheet. Of each row
+  * the first sheet_row_length count: for long rows, time and memory would grow with the square of the length. */
 class OwnSheetRows
 {
 public:
@@ -103,7 +103,7 @@ public:
   : graph_ (graph), positions_ (positions), test_ (test), distance_ (distance)
   {}
 
-  /** \param[out] out of sheet_row_length */
+  /** \param[out] out sheet_row_length nodes */
   void
   write (std::uint32_t node, std::uint32_t* out)
   {
@@ -129,13 +129,13 @@ private:
     return std::min (graph_.row (node).size (), sheet_row_length);
   }
 
-  /** How high the sheet of a node is above it: from the node on to where most of its neighbours are (mean shift).
-    * Counted from the node itself, one between two sheets would be given those that are as far off, and stay there. */
+  /** Height of a node's sheet over the node: by mean shift from the node to where most neighbours are. With heights
+    * from the node itself, one between two sheets would get neighbours from both, and stay there. */
   float
   sheetHeight (std::uint32_t node) const
   {
     constexpr int steps = 5;
-    constexpr float bandwidth = .6f; // of the distance of the test
+    constexpr float bandwidth = .6f; // as a share of the distance of the test
     const Row row = graph_.row (node);
     const float unit = std::max (bandwidth * distance_, std::numeric_limits<float>::min ());
     float sheet = 0;
@@ -149,10 +149,11 @@ private:
         }
       sheet = weights > 0 ? sum / weights : sheet;
     }
-    return std::abs (sheet) < distance_ ? sheet : 0; // farther than noise puts a point: along the rim of a plate
+    // Noise hardly puts a point farther off: it is on the rim of a plate.
+    return std::abs (sheet) < distance_ ? sheet : 0;
   }
 
-  /** exp (-x^2 / 2), or as good a bell, of the same bits everywhere. */
+  /** A substitute for exp (-x^2 / 2) that is bit for bit the same everywhere. */
   static float
   bell (float x)
   {
@@ -184,9 +185,10 @@ private:
 };
 } // namespace
 
-// The row of a node is written from the rows of its neighbours and the normals of theirs. A normal that is not given
-// depends on those of the first vote around it, the second also on whether one of the neighbours has others of another
-// sheet near; and the first elects among normals of the neighbours, which are estimated from their rows.
+// The row of a node is written from the rows of its neighbours and the normals of the nodes in these (2 hops). Unless
+// given, a normal is elected twice. The second vote is among first-vote normals of neighbours (3); it takes place if a
+// neighbour is beside another sheet, which depends on the first-vote normals around that (4). The first vote is among
+// normals of neighbours, estimated from the rows of these (5).
 int
 separationDepth (const SheetSeparationOptions& options)
 {
