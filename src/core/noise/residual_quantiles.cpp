@@ -16,7 +16,7 @@ namespace
 struct Quantile
 {
   double level;
-  /** The quantile of chi-square by its 2, 6 and 10 degrees of freedom, over these. */
+  /** The quantile of chi-square with 2, 6 and 10 degrees of freedom, over these. */
   std::array<double, 3> of_chi_square;
 };
 
@@ -24,23 +24,23 @@ constexpr Quantile bottom = {.05, {.0513, .2726, .394}}, lowest = {.1, {.1054, .
                    lower = {.25, {.2877, .5758, .6737}}, median = {.5, {.6931, .891, .934}},
                    upper = {.75, {1.3863, 1.3068, 1.2549}}, highest = {.9, {2.3026, 1.7741, 1.5987}};
 
-/** The variance of the noise that makes such a quantile. */
+/** The variance of the noise for which the residuals have this quantile. */
 double
 varianceBy (const Quantile& by, const ResidualVariances& variances, std::size_t size)
 {
   return quantile (variances[size], by.level) / by.of_chi_square[size];
 }
 
-/** The root of a ratio of two variances; 1 for two that are 0. */
+/** The square root of the ratio of two variances; 1 if both are 0. */
 double
 ratioOfSigmas (double a, double b)
 {
   return a == b ? 1 : std::sqrt (a / b);
 }
 
-/** The variance at no size of neighbourhood, from those at a small and a large one: curvature adds to the larger more.
-  * But where it is many times the smaller, the neighbourhoods do not fit a quadric, and the difference tells
-  * nothing. */
+/** The variance extrapolated to a neighbourhood of no size, from a small and a large one, as curvature adds more to
+  * the larger. But if that has many times the variance, quadrics do not fit the neighbourhoods, and the difference
+  * does not count. */
 double
 extrapolated (double small, double large, double slope, double largest_excess)
 {
@@ -55,16 +55,15 @@ isQuantised (double by_8, double by_12, double by_16)
   return by_12 > 5 * by_8 && by_16 < 1.4 * by_12;
 }
 
-/** How much more quadrics leave of the largest neighbourhoods than of the smallest, as a ratio of sigmas: 1 without
-  * detail. */
+/** Residuals of the largest neighbourhoods over those of the smallest, as a ratio of sigmas: 1 without detail. */
 double
 growthOf (const Quantile& by, const ResidualVariances& variances)
 {
   return ratioOfSigmas (varianceBy (by, variances, of_16), varianceBy (by, variances, of_8));
 }
 
-/** Where dense relief spoils the lower quartile too, but below that there is one noise. \return at most \a sigma, of
-  * all the others */
+/** Sigma where dense relief spoils the lower quartile too, but the quantiles below show a single noise. \return at
+  * most \a sigma, which is by the other quantiles */
 double
 sigmaInRelief (const ResidualVariances& variances, double sigma)
 {
@@ -74,7 +73,7 @@ sigmaInRelief (const ResidualVariances& variances, double sigma)
   return sigma - certainty * std::max (0.0, sigma - 1.15 * std::sqrt (least));
 }
 
-/** Edges spoil the upper quantiles, other sheets all but the lower ones: the least of them. */
+/** The smallest estimate: edges spoil the upper quantiles, other sheets all but the lower. */
 double
 leastSigma (const ResidualVariances& variances)
 {
@@ -88,8 +87,8 @@ leastSigma (const ResidualVariances& variances)
   return sigmaInRelief (variances, std::sqrt (std::min ({1.1 * low, 1.05 * middle, std::max (high, .75 * least)})));
 }
 
-/** How sure it is, 0 to 1, that the eight nearest tell nothing: they leave far less than twelve, though these leave
-  * hardly less than sixteen, as they do of detail, and much the same everywhere, as they do not of relief. */
+/** Certainty, 0 to 1, that the eight nearest do not show the noise: their residuals are far below those of 12, which
+  * are hardly below those of 16, unlike with detail, and much the same everywhere, unlike with relief. */
 double
 certaintyOfClumps (const ResidualVariances& variances)
 {
@@ -106,7 +105,7 @@ certaintyOfClumps (const ResidualVariances& variances)
                sure_of_lowest - least_of_lowest);
 }
 
-/** Of surfaces that face the rays, on the large side: slanting ones are no worse for it. Outliers do not reach the
+/** Sigma of surfaces that face the rays, on the large side, which slanting ones tolerate. Outliers do not affect the
   * median. */
 double
 facingSigma (const ResidualVariances& variances)
@@ -158,7 +157,7 @@ sigmaAcrossLines (const ResidualVariances& variances)
   for (const Quantile& by : {highest, upper, median}) {
     const double by_12 = varianceBy (by, variances, of_12);
     sigma = 1.15 * std::sqrt (by_12);
-    if (ratioOfSigmas (varianceBy (by, variances, of_16), by_12) < 1.15) // else edges and detail
+    if (ratioOfSigmas (varianceBy (by, variances, of_16), by_12) < 1.15) // else there are edges and detail
       break;
   }
   return sigma;
