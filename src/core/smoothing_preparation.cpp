@@ -18,7 +18,7 @@ namespace
 constexpr float displacement_sigmas = 5;
 // The sheet distance in sigmas if no sheets are seen: farther points are beyond an edge, or on another side of a wall.
 constexpr float sheet_sigmas = 4;
-// Where noise varies, the largest noise may raise the distance to at most so many spacings.
+// Where noise varies, the largest noise may raise the distance to at most this many spacings.
 constexpr float sheet_spacings = 1.2f;
 // If the largest noise exceeds the distance by more than this factor, no distance separates sheets from noise
 // everywhere: it is infinite.

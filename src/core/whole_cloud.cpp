@@ -12,7 +12,7 @@ namespace core
 {
 namespace
 {
-// Sheets nearer than so many steps are layers of a wall that faces a depth camera.
+// Sheets nearer than this many steps are layers of a wall that faces a depth camera.
 constexpr float sheet_steps = 1.5f;
 
 /** Raises the noise where neighbourhoods grow because of it. */

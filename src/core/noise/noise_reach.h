@@ -32,7 +32,7 @@ int
 halvingsWithoutLoss (ThinnedNoise& noise, int halvings_to_resolve);
 
 /** sigma over the spacing of the whole cloud, at the places of the sample.
-  * \param[in] sigma the usual one, as shown after so many halvings */
+  * \param[in] sigma the usual one, as shown after \a halvings */
 std::vector<LocalValue>
 localRatios (ThinnedNoise& noise, int halvings, float sigma);
 

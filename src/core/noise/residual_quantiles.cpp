@@ -92,8 +92,8 @@ leastSigma (const ResidualVariances& variances)
 double
 certaintyOfClumps (const ResidualVariances& variances)
 {
-  constexpr double least_of_12 = 1.8, sure_of_12 = 2.1; // over what eight leave
-  constexpr double most_of_16 = 1.75, sure_of_16 = 1.5; // over what twelve leave
+  constexpr double least_of_12 = 1.8, sure_of_12 = 2.1; // over the variance of the 8 nearest
+  constexpr double most_of_16 = 1.75, sure_of_16 = 1.5; // over that of the 12 nearest
   constexpr double least_of_lowest = .7, sure_of_lowest = .8;
   const double by_8 = varianceBy (lower, variances, of_8), by_12 = varianceBy (lower, variances, of_12),
                by_16 = varianceBy (lower, variances, of_16);

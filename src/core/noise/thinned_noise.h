@@ -29,7 +29,7 @@ public:
   int
   mostHalvings () const;
 
-  /** After so many halvings, up to mostHalvings; 0: the cloud as it is. */
+  /** After the given number of halvings, up to mostHalvings; 0: the cloud as it is. */
   const NoiseSample&
   sample (int halvings)
   {
@@ -61,7 +61,7 @@ public:
     return shown (halvings).spread;
   }
 
-  /** Differences from the points of the sample to their nearest after so many halvings: see ThinnedSample. */
+  /** Differences from the points of the sample to their nearest after that number of halvings: see ThinnedSample. */
   std::vector<Differences>
   differencesAfter (int halvings) const;
 

@@ -35,7 +35,7 @@ public:
     return nodes_of_sample_.size ();
   }
 
-  /** Differences from the points of the sample to the 32 nearest after so many halvings; padded with zeros. */
+  /** Differences from the points of the sample to the 32 nearest after that number of halvings; padded with zeros. */
   std::vector<Differences>
   differencesAfter (int halvings) const;
 

@@ -27,7 +27,7 @@ constexpr double max_growth = 1.5, max_growth_shown = 1.25;
 // places are .42 for noise, .35 to .54 at single places, and .5 to .77 for thin walls. The first bound is for all
 // places where noise is shown, the second for one.
 constexpr float max_bimodality = .46f, max_bimodality_of_place = .55f;
-// Noise that was never hidden must show within so many halvings to be told from detail; and it may grow less, as
+// Noise that was never hidden must show within this many halvings to be told from detail; and it may grow less, as
 // nothing is at stake but an underestimated sigma.
 constexpr int most_halvings_to_show = 3;
 constexpr double max_growth_plain = 1.15, max_growth_plain_of_two = 1.2;
@@ -38,7 +38,7 @@ constexpr std::size_t region_size = 16; // small, as values are medians already
 constexpr float halvings_beside = -1;
 constexpr double min_variation = 1.8; // ratio of sigmas; even noise seems to vary by 1.6
 
-/** The noise of a place, as shown after so many halvings; sigma 0 if it is not shown. */
+/** The noise of a place, as shown after that number of halvings; sigma 0 if it is not shown. */
 struct ShownNoise
 {
   int halvings = 0;
