@@ -168,7 +168,7 @@ MUTATIONS = [
     ("wide noise: what quadrics follow in a part is not made up for", CORE + "noise/wide_noise_of_part.cpp", "1 - 1.7 * above * above", "1.5"),
     ("layers: a table that slants has none", CORE + "noise/layer_estimate.cpp", "min_share_parallel = .12", "min_share_parallel = .5"),
     ("layers: points leave their rays", CORE + "whole_cloud.cpp", "options.rounds.along_rays = cloud.isOfCamera ();", ""),
-    ("rays: the camera may be anywhere", CORE + "noise/camera_test.cpp", "max_spread_of_pixels = 1.25", "max_spread_of_pixels = 1e9"),
+    ("rays: the camera may be anywhere", CORE + "noise/camera_grid.cpp", "max_spread_of_pixels = 1.25", "max_spread_of_pixels = 1e9"),
     ("rays: no way is too long", CORE + "rounds/ray_motion.cpp", " && std::abs (length) <= max_displacement", ""),
     ("wide noise: of a part it is that of all", CORE + "noise/noise_estimate.cpp", "!widening.wide_noise.is_everywhere)", "false)"),
     ("wide noise: of a part it is not taken to be larger", CORE + "whole_cloud.cpp", "region.value *= wide.excess;", ";"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../quantile.h"
-#include "camera_test.h"
+#include "camera_grid.h"
 #include "layer_test.h"
 #include "thinned_sample.h"
 

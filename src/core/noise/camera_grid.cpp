@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "camera_test.h"
+#include "camera_grid.h"
 
 #include "../quantile.h"
 
