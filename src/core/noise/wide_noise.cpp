@@ -4,8 +4,8 @@
 #include "wide_noise_of_part.h"
 
 #include "../search/hash_sample.h"
+#include "../sheets/sheet_criterion.h"
 #include "../sheets/sheet_detection.h"
-#include "../sheets/sheet_test.h"
 
 #include <algorithm>
 #include <cmath>

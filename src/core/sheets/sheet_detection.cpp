@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_detection.h"
-#include "sheet_test.h"
+#include "sheet_criterion.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #include "../quantile.h"
 #include "sheet_normals.h"
 
+#include "sheet_criterion.h"
 #include "sheet_estimate.h"
-#include "sheet_test.h"
 
 #include <algorithm>
 #include <array>
@@ -85,7 +85,7 @@ sampleSheets (const NeighborGraph& graph,
 {
   const std::vector<std::uint32_t> around = nodesInRows (graph, sample, scale.row_length);
   const Vectors normals = electNormals (graph, positions, scale, &around, execution);
-  const SheetTest test (positions, normals, scale.distance, false);
+  const SheetCriterion criterion (positions, normals, scale.distance, false);
   SheetSample found;
   found.nodes = sample.size ();
   for (const std::uint32_t node : sample) {
@@ -93,9 +93,9 @@ sampleSheets (const NeighborGraph& graph,
     std::vector<float> heights;
     OtherNeighbors others;
     for (std::size_t j = 1; j < std::min (row.size (), scale.row_length); ++j)
-      if (test.areParallel (node, row[j])) {
-        const float height = test.height (node, row[j]);
-        if (test.isOther (node, row[j], evidence_to_change))
+      if (criterion.areParallel (node, row[j])) {
+        const float height = criterion.height (node, row[j]);
+        if (criterion.isOther (node, row[j], evidence_to_change))
           others.add (positions.difference (node, row[j]), height, normals[node]);
         heights.push_back (std::abs (height));
       }

@@ -4,7 +4,7 @@
 #include "../nodes_where.h"
 
 #include "../search/node_blocks.h"
-#include "sheet_test.h"
+#include "sheet_criterion.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,8 +3,8 @@
 #include "sheet_normals.h"
 
 #include "../search/node_blocks.h"
+#include "sheet_criterion.h"
 #include "sheet_separation.h"
-#include "sheet_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +20,12 @@ namespace
   * \param[in] nodes to examine; null: all */
 std::vector<std::uint32_t>
 nodesBesideOtherSheets (const NeighborGraph& graph,
-                        const SheetTest& test,
+                        const SheetCriterion& criterion,
                         const std::vector<std::uint32_t>* nodes,
                         const Execution& execution)
 {
   Numbers others (graph.size (), 0.0f);
-  const OtherSheetTest of_rows = test.ofRows (evidence_to_change, others);
+  const OtherSheetTest of_rows = criterion.ofRows (evidence_to_change, others);
   forEachBlockOf (graph, nodes, sheet_row_length, execution,
                   [&] (const BlockRows& rows) { kernels ().count_others (of_rows, rows); });
   return nodesWhere (graph.size (), [&] (std::uint32_t node) {
@@ -98,9 +98,9 @@ private:
 class OwnSheetRows
 {
 public:
-  /** \param[in] distance of the test, >= 0 */
-  OwnSheetRows (const NeighborGraph& graph, const Positions& positions, const SheetTest& test, float distance)
-  : graph_ (graph), positions_ (positions), test_ (test), distance_ (distance)
+  /** \param[in] distance of the criterion, >= 0 */
+  OwnSheetRows (const NeighborGraph& graph, const Positions& positions, const SheetCriterion& criterion, float distance)
+  : graph_ (graph), positions_ (positions), criterion_ (criterion), distance_ (distance)
   {}
 
   /** \param[out] out sheet_row_length nodes */
@@ -111,7 +111,7 @@ public:
     findAround (node, sheet);
     std::vector<Neighbor> own_sheet;
     for (const std::uint32_t other : found_.nodes ())
-      if (other != node && !test_.isOther (node, other, evidence_to_drop, sheet))
+      if (other != node && !criterion_.isOther (node, other, evidence_to_drop, sheet))
         own_sheet.push_back ({squaredLength (positions_.difference (node, other)), graph_.order ()[other], other});
     const std::size_t size = std::min (own_sheet.size (), rowLength (node) - 1);
     const auto end = own_sheet.begin () + static_cast<std::ptrdiff_t> (size);
@@ -135,15 +135,15 @@ private:
   sheetHeight (std::uint32_t node) const
   {
     constexpr int steps = 5;
-    constexpr float bandwidth = .6f; // as a share of the distance of the test
+    constexpr float bandwidth = .6f; // as a share of the distance of the criterion
     const Row row = graph_.row (node);
     const float unit = std::max (bandwidth * distance_, std::numeric_limits<float>::min ());
     float sheet = 0;
     for (int step = 0; step < steps; ++step) {
       float sum = 0, weights = 0;
       for (std::size_t j = 1; j < rowLength (node); ++j)
-        if (test_.areAlike (node, row[j])) {
-          const float height = test_.height (node, row[j]), weight = bell ((height - sheet) / unit);
+        if (criterion_.areAlike (node, row[j])) {
+          const float height = criterion_.height (node, row[j]), weight = bell ((height - sheet) / unit);
           sum += weight * height;
           weights += weight;
         }
@@ -172,14 +172,14 @@ private:
       most += rowLength (row[j]);
     found_.clear (most);
     for (std::size_t j = 0; j < rowLength (node); ++j)
-      if (j == 0 || !test_.isOther (node, row[j], evidence_to_drop, sheet))
+      if (j == 0 || !criterion_.isOther (node, row[j], evidence_to_drop, sheet))
         for (std::size_t t = 0; t < rowLength (row[j]); ++t)
           found_.insert (graph_.row (row[j])[t]);
   }
 
   const NeighborGraph& graph_;
   const Positions& positions_;
-  const SheetTest& test_;
+  const SheetCriterion& criterion_;
   float distance_;
   NodeSet found_;
 };
@@ -209,12 +209,12 @@ separateSheets (const NeighborGraph::ConstPtr& graph,
   Vectors normals = oriented
                         ? *options.oriented_normals
                         : electNormals (*graph, positions, {options.distance, sheet_row_length}, nullptr, execution);
-  const SheetTest test (positions, normals, options.distance, oriented);
-  std::vector<std::uint32_t> nodes = nodesBesideOtherSheets (*graph, test, nullptr, execution);
+  const SheetCriterion criterion (positions, normals, options.distance, oriented);
+  std::vector<std::uint32_t> nodes = nodesBesideOtherSheets (*graph, criterion, nullptr, execution);
   if (!oriented && !nodes.empty ()) {
     const std::vector<std::uint32_t> near = nodesNear (*graph, nodes, execution);
     normals = electAgain (*graph, positions, options.distance, normals, near, execution);
-    nodes = nodesBesideOtherSheets (*graph, test, &near, execution);
+    nodes = nodesBesideOtherSheets (*graph, criterion, &near, execution);
   }
   if (nodes.empty ())
     return graph;
@@ -222,7 +222,7 @@ separateSheets (const NeighborGraph::ConstPtr& graph,
   parallelFor (
       nodes.size (), execution,
       [&] (std::size_t begin, std::size_t end) {
-        OwnSheetRows own_sheets (*graph, positions, test, options.distance);
+        OwnSheetRows own_sheets (*graph, positions, criterion, options.distance);
         for (std::size_t i = begin; i < end; ++i)
           own_sheets.write (nodes[i], rows.data () + i * sheet_row_length);
       },

@@ -43,12 +43,12 @@ constexpr SheetEvidence evidence_to_change = {1, .3f};
 constexpr SheetEvidence evidence_to_drop = {.875f, .15f};
 
 /** Tests whether two points lie on different sheets, at least a given distance apart. */
-class SheetTest
+class SheetCriterion
 {
 public:
   /** \param[in] normals of the nodes that are tested
     * \param[in] oriented opposite normals suffice */
-  SheetTest (const Positions& positions, const Vectors& normals, float distance, bool oriented)
+  SheetCriterion (const Positions& positions, const Vectors& normals, float distance, bool oriented)
   : positions_ (positions), normals_ (normals), sq_distance_ (distance * distance), oriented_ (oriented)
   {}
 
