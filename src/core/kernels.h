@@ -59,7 +59,7 @@ struct NormalVoteStep
 };
 
 /** Counts the neighbours of every node that lie on another sheet: see core/sheets/sheet_separation.h. */
-struct OtherSheetTest
+struct OtherSheetCount
 {
   NodeArrays nodes;
   float sq_distance; // a neighbour is on another sheet if its squared height over the
@@ -249,7 +249,7 @@ struct Kernels
   void (*update_points) (const PointUpdateStep& step, const BlockRows& rows);
   void (*start_normals) (const NormalOfNodes& normals, const BlockRows& rows);
   void (*elect_normals) (const NormalVoteStep& step, const BlockRows& rows);
-  void (*count_others) (const OtherSheetTest& test, const BlockRows& rows);
+  void (*count_others) (const OtherSheetCount& task, const BlockRows& rows);
   void (*residual_variances) (const NumberOfNodes& variances, const BlockRows& rows);
   void (*project_points) (const QuadricProjection& projection, const BlockRows& rows);
   void (*fit_normals) (const QuadricFitStep& step, const BlockRows& rows);

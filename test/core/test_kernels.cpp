@@ -56,10 +56,10 @@ TEST_P (KernelsTest, SheetsAreTheSameForEveryInstructionSet)
     expectAllTheSame ([&] (const Kernels& kernels) {
       std::vector<float> elected = vectors (), others (nodes_.size (), -77);
       const NormalVoteStep vote {nodeArrays (nodes_, normals_), 200, agreement, elected.data ()};
-      const OtherSheetTest test {nodeArrays (nodes_, normals_), 0.001f, 0.09f, 0.7f, true, others.data ()};
+      const OtherSheetCount task {nodeArrays (nodes_, normals_), 0.001f, 0.09f, 0.7f, true, others.data ()};
       forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
         kernels.elect_normals (vote, rows);
-        kernels.count_others (test, rows);
+        kernels.count_others (task, rows);
       });
       EXPECT_TRUE (graph_->minRowLength () < 4 || *std::max_element (others.begin (), others.end ()) > 0);
       elected.insert (elected.end (), others.begin (), others.end ());

@@ -87,7 +87,7 @@ public:
   }
 
   /** isOther for the neighbours of many nodes at once. \param[out] others how many of each node's are */
-  OtherSheetTest
+  OtherSheetCount
   ofRows (const SheetEvidence& evidence, Numbers& others) const
   {
     return {nodeArrays (positions_, normals_),

@@ -25,7 +25,7 @@ nodesBesideOtherSheets (const NeighborGraph& graph,
                         const Execution& execution)
 {
   Numbers others (graph.size (), 0.0f);
-  const OtherSheetTest of_rows = criterion.ofRows (evidence_to_change, others);
+  const OtherSheetCount of_rows = criterion.ofRows (evidence_to_change, others);
   forEachBlockOf (graph, nodes, sheet_row_length, execution,
                   [&] (const BlockRows& rows) { kernels ().count_others (of_rows, rows); });
   return nodesWhere (graph.size (), [&] (std::uint32_t node) {
