@@ -28,11 +28,11 @@ struct NodeArrays
   const float* normals; // null for kernels that read none
 };
 
-/** Computes one number per node. */
-struct NumberOfNodes
+/** Computes the residual variance of a quadric through every neighbourhood: see core/noise/residual_quantiles.h. */
+struct QuadricResiduals
 {
   NodeArrays nodes;
-  float* numbers; // out
+  float* variances; // out
 };
 
 /** Weighs every neighbour by its distance: see core/chain/normal_filter.h. */
@@ -250,7 +250,7 @@ struct Kernels
   void (*start_normals) (const NormalOfNodes& normals, const BlockRows& rows);
   void (*elect_normals) (const NormalVoteStep& step, const BlockRows& rows);
   void (*count_others) (const OtherSheetCount& task, const BlockRows& rows);
-  void (*residual_variances) (const NumberOfNodes& variances, const BlockRows& rows);
+  void (*residual_variances) (const QuadricResiduals& residuals, const BlockRows& rows);
   void (*project_points) (const QuadricProjection& projection, const BlockRows& rows);
   void (*fit_normals) (const QuadricFitStep& step, const BlockRows& rows);
   void (*step_risks) (const StepRisks& task, const BlockRows& rows);

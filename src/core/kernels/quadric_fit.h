@@ -45,10 +45,10 @@ fitQuadric (const HeightField& field, std::size_t count, const Lanes* weights, f
 /** The residual variance of an unweighted quadric fit to a neighbourhood, as a variance of noise along the normal:
   * the sum of squared residuals over the degrees of freedom; NaN where the row is too short. */
 LANES_INLINE void
-residualVariances (const NumberOfNodes& variances, const BlockRows& rows, int first)
+residualVariances (const QuadricResiduals& residuals, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const LocalPoints local (variances.nodes, rows, own);
+  const LocalPoints local (residuals.nodes, rows, own);
   Lanes3 normal = weightedPlaneNormal (local);
   Lanes variance = {};
   for (int pass = 0; pass < 2; ++pass) { // the second in the frame of the first one's gradient
@@ -64,7 +64,7 @@ residualVariances (const NumberOfNodes& variances, const BlockRows& rows, int fi
   const Lanes size = local.size ();
   variance *= local.reach * local.reach / (size - 6);
   const Mask valid = (size >= float (min_fit_points)) & (local.reach > 0);
-  store1 (variances.numbers, own, valid ? variance : splat (__builtin_nanf ("")));
+  store1 (residuals.variances, own, valid ? variance : splat (__builtin_nanf ("")));
 }
 
 /** The weights of the neighbours apart from their residuals: exp (-d^2 / (2 .5^2)) in units of the reach and, if \a
