@@ -42,8 +42,8 @@ struct DistanceWeights
   std::uint16_t* weights; // out: exp (-d^2 / (2 sigma_c^2)) in units of 1 / 65535; 0 beyond the end of a row
 };
 
-/** Computes one normal per node. */
-struct NormalOfNodes
+/** Computes the initial normal of every node: see core/rounds/robust_smoothing.h. */
+struct StartNormals
 {
   NodeArrays nodes;
   float* normals; // out
@@ -247,7 +247,7 @@ struct Kernels
   void (*distance_weights) (const DistanceWeights& task, const BlockRows& rows);
   void (*filter_normals) (const NormalFilterStep& step, const BlockRows& rows);
   void (*update_points) (const PointUpdateStep& step, const BlockRows& rows);
-  void (*start_normals) (const NormalOfNodes& normals, const BlockRows& rows);
+  void (*start_normals) (const StartNormals& normals, const BlockRows& rows);
   void (*elect_normals) (const NormalVoteStep& step, const BlockRows& rows);
   void (*count_others) (const OtherSheetCount& task, const BlockRows& rows);
   void (*residual_variances) (const QuadricResiduals& residuals, const BlockRows& rows);

@@ -109,7 +109,7 @@ weightedPlaneNormal (const LocalPoints& local)
 /** The initial normals of the rounds; NaN where a row has fewer than 3 points or they are all equal. In a row of 3
   * the two neighbours always lie on a line, so that rounding decides the normal. */
 LANES_INLINE void
-startNormals (const NormalOfNodes& normals, const BlockRows& rows, int first)
+startNormals (const StartNormals& normals, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const LocalPoints local (normals.nodes, rows, own);

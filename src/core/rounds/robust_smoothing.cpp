@@ -230,7 +230,7 @@ Vectors
 startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k)
 {
   Vectors normals (graph.size ());
-  const NormalOfNodes task {nodeArrays (positions), normals.data ()->data ()};
+  const StartNormals task {nodeArrays (positions), normals.data ()->data ()};
   forEachBlock (graph, execution, [&] (const BlockRows& rows) {
     kernels ().start_normals (task, {rows.neighbors, std::min (rows.length, k)});
   });
