@@ -136,7 +136,7 @@ struct QuadricFitStep
 // core/rounds/robust_smoothing.h.
 
 /** The risk at which a step is refused: sigma^2 K of doc/robust_smoothing.md, times a tolerance. */
-struct StepGain
+struct RiskLimit
 {
   float usual;
   const float* factors; // per node; null: 1
@@ -148,7 +148,7 @@ struct StepRisks
   NodeArrays nodes;
   const float* proposed; // offsets
   const float* moved;    // distance moved along the normals since the first round
-  StepGain gain;
+  RiskLimit limit;
   float* risks; // out: two values per node
 };
 
@@ -175,7 +175,7 @@ struct StepsToTake
   const float* start;    // offsets before the first round; null where all are zero
   const float* proposed; // offsets
   const float* risks;    // averaged: two values per node
-  StepGain gain;
+  RiskLimit limit;
   float max_displacement;
   float* moved; // in and out: distance moved along the normals since the first round; null in that round
   float* taken; // out: offsets; may be the same array as proposed

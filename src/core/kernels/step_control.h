@@ -12,9 +12,9 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 {
 /** The limit on the risk of the lanes' steps. */
 LANES_INLINE Lanes
-gainOf (const StepGain& gain, const std::uint32_t* own)
+limitOf (const RiskLimit& limit, const std::uint32_t* own)
 {
-  return gain.usual * load1OrOne (gain.factors, own);
+  return limit.usual * load1OrOne (limit.factors, own);
 }
 
 /** The risk of a proposed step d along the point's normal n: (distance moved since the first round) * d.n, and
@@ -27,7 +27,7 @@ stepRisks (const StepRisks& task, const BlockRows& rows, int first)
   const Lanes3 normal = load3 (task.nodes.normals, own), offset = load3OrZero (task.nodes.offset, own);
   const Lanes step = dot (load3 (task.proposed, own) - offset, normal);
   const Mask valid = normal.x == normal.x;
-  const Lanes bound = 3 * gainOf (task.gain, own);
+  const Lanes bound = 3 * limitOf (task.limit, own);
   const Lanes product = minimum (maximum (load1 (task.moved, own) * step, -bound), bound);
   store2 (task.risks, own, {valid ? product : splat (0), valid ? absolute (step) : splat (0)});
 }
@@ -89,7 +89,7 @@ takeSteps (const StepsToTake& task, const BlockRows& rows, int first)
   const Lanes3 offset = load3OrZero (task.nodes.offset, own), start = load3OrZero (task.start, own);
   const Lanes2 risk = load2 (task.risks, own);
   const Lanes q = 1.57079633f * (risk.y * risk.y);
-  Lanes share = q > 0 ? minimum (maximum ((gainOf (task.gain, own) - risk.x) / q, splat (0)), splat (1)) : splat (0);
+  Lanes share = q > 0 ? minimum (maximum ((limitOf (task.limit, own) - risk.x) / q, splat (0)), splat (1)) : splat (0);
   share *= share;
   share *= share;
   // The taken steps may be stored in place of the proposed ones.

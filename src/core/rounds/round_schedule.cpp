@@ -12,8 +12,8 @@ namespace
 constexpr RoundSchedule fast_schedule = {
     0,                                             // fine_rounds
     2,                                             // first_far_round
-    {.690f, .060f, .041f, .0056f, .0038f, .0029f}, // gains
-    {},                                            // wide_gains
+    {.690f, .060f, .041f, .0056f, .0038f, .0029f}, // covariances
+    {},                                            // wide_covariances
     1.8f,                                          // tolerance
     {2, 1, 1, 1, 1, 1},                            // solves
     3,                                             // averages
@@ -24,8 +24,8 @@ constexpr RoundSchedule fast_schedule = {
 constexpr RoundSchedule default_schedule = {
     2,                                               // fine_rounds
     5,                                               // first_far_round
-    {.661f, .0745f, .0517f, .0139f, .0080f, .0135f}, // gains
-    {.660f, .084f, .0202f, .0086f, .0052f, .007f},   // wide_gains
+    {.661f, .0745f, .0517f, .0139f, .0080f, .0135f}, // covariances
+    {.660f, .084f, .0202f, .0086f, .0052f, .007f},   // wide_covariances
     1.3f,                                            // tolerance
     {3, 2, 2, 2, 1, 1},                              // solves
     4,                                               // averages

@@ -14,15 +14,15 @@ namespace core
   * use neighbours from outside the row: see FarRows. */
 constexpr std::size_t fine_k = 16;
 
-/** Parameters of each round. Gains are K of doc/robust_smoothing.md: the covariance of a step with the noise of the
+/** Parameters of each round. Covariances are K of doc/robust_smoothing.md: those of a step with the noise of the
   * reference, computed on a plane of pure noise, in variances of the noise. */
 struct RoundSchedule
 {
   int fine_rounds;     // with smaller neighbourhoods: FineRows
   int first_far_round; // from this round on neighbourhoods are twice as wide: FarRows
-  float gains[max_rounds];
-  float wide_gains[max_rounds]; // for nodes that use max_row_length in the fine rounds too
-  float tolerance;              // factor on the gains that the risk may reach
+  float covariances[max_rounds];
+  float wide_covariances[max_rounds]; // for nodes that use max_row_length in the fine rounds too
+  float tolerance;                    // factor on the covariances that the risk may reach
   int solves[max_rounds];
   int averages;
   float fine_bandwidth; // of the update, in units of the farthest neighbour's distance; 1 in other rounds

@@ -47,8 +47,8 @@ public:
 
 private:
   /** The result is valid until the next call. */
-  StepGain
-  gainOf (int round);
+  RiskLimit
+  riskLimitOf (int round);
 
   void
   averageRisks (const Execution& execution);
@@ -56,7 +56,7 @@ private:
   Cloud cloud_;
   const RobustSmoothingOptions& options_;
   RoundSchedule schedule_;
-  Numbers gain_factors_;
+  Numbers limit_factors_;
   Numbers moved_; // distance along the normals since the first round, which is the reference for the risk
   Numbers risks_; // two values per node
   Numbers averaged_;
