@@ -78,8 +78,10 @@ double
 leastSigma (const ResidualVariances& variances)
 {
   const std::size_t smallest = smallestToTrust (variances);
-  const double lower_8 = varianceBy (lower, variances, smallest), lower_12 = varianceBy (lower, variances, of_12);
-  const double low = extrapolated (lower_8, lower_12, .3, 2.5), least = extrapolated (lower_8, lower_12, .9, 2.5);
+  const double lower_smallest = varianceBy (lower, variances, smallest),
+               lower_12 = varianceBy (lower, variances, of_12);
+  const double low = extrapolated (lower_smallest, lower_12, .3, 2.5),
+               least = extrapolated (lower_smallest, lower_12, .9, 2.5);
   const double middle =
       extrapolated (varianceBy (median, variances, smallest), varianceBy (median, variances, of_12), .3, 2.5);
   const double high =
