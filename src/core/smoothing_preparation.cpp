@@ -27,6 +27,8 @@ constexpr float most_over_sheets = 3;
 constexpr float share_of_gap = .36f;
 // The median height is cut off towards the other sheet, so it is too small; overestimating sigma does less harm.
 constexpr float sheet_noise_factor = 1.4f;
+// Upper bound on the noise in rows without other sheets, over that before they were separated.
+constexpr float most_over_unseparated = 1.2f;
 // Noise as wide as the spacing is estimated as .7 to .9 of its true sigma, and as .8 spacings at most. So sigma is
 // raised from the first ratio to the spacing on, in full from the second; noise of .7, read in full, is smoothed as
 // well by that.
@@ -97,7 +99,8 @@ setSheetDistance (const NoiseEstimate& known,
 NoiseEstimate
 chooseNoise (const NoiseEstimate& before, const NoiseEstimate& separated, const SheetEstimate& sheets)
 {
-  const float of_rows = std::min (separated.sigma, 1.2f * before.sigma), of_sheets = sheet_noise_factor * sheets.sigma;
+  const float of_rows = std::min (separated.sigma, most_over_unseparated * before.sigma),
+              of_sheets = sheet_noise_factor * sheets.sigma;
   const float sigma = std::max (of_rows, of_sheets);
   return {sigma > 0 ? sigma : before.sigma, before.spacing, separated.spacing > 0 ? separated.field : before.field};
 }

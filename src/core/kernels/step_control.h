@@ -10,6 +10,9 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
+// In AveragingWeights: two neighbours of each node in a byte.
+constexpr std::size_t bytes_per_neighbor = block_size / 2;
+
 /** The limit on the risk of the lanes' steps. */
 LANES_INLINE Lanes
 limitOf (const RiskLimit& limit, const std::uint32_t* own)
@@ -50,7 +53,7 @@ averagingWeights (const AveragingWeights& task, const BlockRows& rows, int first
   for (std::size_t j = 0; j < local.count; j += 2) {
     const Mask second = j + 1 < local.count ? weightOf (j + 1) : Mask {};
     const Bytes pair = __builtin_convertvector(weightOf (j) | (second << 4), Bytes);
-    std::memcpy (weights + 8 * j, &pair, sizeof pair);
+    std::memcpy (weights + bytes_per_neighbor * j, &pair, sizeof pair);
   }
 }
 
@@ -70,7 +73,7 @@ averageRisks (const RiskAverages& task, const BlockRows& rows, int first)
     sum_size += weight * risk.y;
   };
   for (std::size_t j = 0; j < count; j += 2) {
-    const Mask pair = __builtin_convertvector(load<Bytes> (weights + 8 * j), Mask);
+    const Mask pair = __builtin_convertvector(load<Bytes> (weights + bytes_per_neighbor * j), Mask);
     add (pair & 15, j);
     if (j + 1 < count)
       add (pair >> 4, j + 1);
