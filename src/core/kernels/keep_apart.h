@@ -53,9 +53,8 @@ keepApart (const KeepApartStep& step, const BlockRows& rows, int first)
     const Lanes missing = maximum (wanted - squareRoot (dot (way, way)), splat (0));
     const Lanes3 along = way - dot (way, normal) * normal;
     const Lanes sq_length = dot (along, along);
-    sum = sum - (sq_length > apart::least_sq_along * dot (way, way) ? apart::share * missing / squareRoot (sq_length)
-                                                                    : splat (0)) *
-                    along;
+    const Mask has_direction = sq_length > apart::least_sq_along * dot (way, way);
+    sum = sum - (has_direction ? apart::share * missing / squareRoot (sq_length) : splat (0)) * along;
   }
   const Lanes length = squareRoot (dot (sum, sum)), limit = apart::max_step * spacing;
   may_move = may_move & (length > 0);
