@@ -25,8 +25,8 @@ constexpr Quantile bottom = {.05, {.0513, .2726, .394}}, lowest = {.1, {.1054, .
                    upper = {.75, {1.3863, 1.3068, 1.2549}}, highest = {.9, {2.3026, 1.7741, 1.5987}};
 
 // Extrapolation to a neighbourhood of no size: the share of the excess of the larger one's variance that is subtracted,
-// by the size of the larger; the largest excess that is trusted in full, over the smaller variance; and the share of the
-// smaller variance that is left at least.
+// by the size of the larger; the largest excess that is trusted in full, over the smaller variance; and the least share
+// of the smaller variance that is left.
 constexpr double slope_of_12 = .3, slope_of_16 = .4, steep_slope_of_12 = .9;
 constexpr double trusted_excess = 2.5, trusted_excess_of_upper = 3;
 constexpr double least_extrapolated = .2;
