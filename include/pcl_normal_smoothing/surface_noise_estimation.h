@@ -13,7 +13,7 @@ namespace pcl_normal_smoothing
   * takes into account what else it finds: if it separates close sheets, its sigma is that of neighbourhoods without the
   * other sheet; if it sees past coordinates in steps, its neighbourhoods, and hence its spacing, are wider. Its
   * usedOptions contain what it used.
-  * 
+  *
   * Uses a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter, and
   * points in one place count as one, unless a graph is set. The 16 nearest points are searched, unless a graph or a
   * larger k is set. With setIndices only the indexed points are the cloud: if these are not all finite points, a

@@ -11,11 +11,11 @@
 namespace pcl_normal_smoothing
 {
 /** The common part of this module's normal estimators: which neighbourhoods they use, and which way normals point.
-  * 
+  *
   * Reads xyz; writes normal and curvature (the surface variation), one output per index. A point that is not finite, or
   * whose neighbourhood has fewer than 3 points (WPCA: without the point itself) or lies on a line, gets NaN, and the
   * output is not dense. Normals point to the viewpoint, like those of pcl::NormalEstimation.
-  * 
+  *
   * k or a radius must be set, or a neighbour graph; a k too small for any normal is an error. On an error the output
   * is empty; see getErrorMessage. */
 template <typename PointInT, typename PointOutT>

@@ -26,7 +26,7 @@ squaredLength (const Eigen::Vector3f& difference)
 }
 
 /** Points as unevaluated sums base + offset.
-  * 
+  *
   * The base is the input in float; the offset is added to it: the remainder of an input in double, and the
   * displacement. Differences subtract the bases first, which is exact for neighbours however far they lie from the
   * origin; so a cloud at UTM coordinates is smoothed in float as if it lay at the origin. */

@@ -8,7 +8,7 @@ namespace pcl_normal_smoothing
 namespace core
 {
 /** Unit vector from the origin to the middle of the points as seen from there; zero unless nearly all (99 %) lie
-  * before it, less than 53 degrees aside. */
+  * before it, less than 53 degrees off. */
 Eigen::Vector3d
 viewingDirection (const Positions& nodes, const Execution& execution);
 

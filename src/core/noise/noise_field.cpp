@@ -34,14 +34,14 @@ constexpr double spread_to_trust = .4;
 struct LowerQuantile
 {
   double level;
-  /** Ratio of the upper quartile to this quantile for residuals of uniform noise over 12 points. */
+  /** Ratio of the upper quartile to this quantile for residuals of even noise over 12 points. */
   float of_noise;
   /** A ratio of sigmas above this means detail; noise of cameras and scanners, edges included, reaches 1.16 and
     * 1.35. */
   double of_detail;
 };
 
-// Dense relief raises the lower quartile too, but not the lowest decile.
+// Dense relief affects the lower quartile too, hence the lowest decile.
 constexpr LowerQuantile lower_quantiles[] = {{.25, static_cast<float> (quartile_ratio_of_12), 1.2}, {.1, 3.557f, 1.4}};
 // In smaller clouds a region is so large a part that noise and curvature vary within it. Not the full sample size:
 // sampling by hash is not exact to the point.

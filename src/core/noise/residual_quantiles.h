@@ -16,7 +16,7 @@ using ResidualVariances = std::array<std::vector<float>, 3>;
 /** Indices into ResidualVariances. */
 constexpr std::size_t of_8 = 0, of_12 = 1, of_16 = 2;
 
-/** Upper over lower quartile of the variances of the 12 nearest for uniform noise, as of chi-square with 6 degrees
+/** Upper over lower quartile of the variances of the 12 nearest for even noise, as of chi-square with 6 degrees
   * of freedom. */
 constexpr double quartile_ratio_of_12 = 2.27;
 

@@ -54,7 +54,7 @@ public:
   }
 
   /** Upper over lower quartile of the residual variances of the largest neighbourhoods: quartile_ratio_of_16 for
-    * uniform noise, less for two sheets, more for detail. */
+    * even noise, less for two sheets, more for detail. */
   double
   spread (int halvings)
   {

@@ -49,7 +49,7 @@ constexpr std::size_t least_to_quarter = 4 * noise_sample_size;
 // than in the whole cloud.
 constexpr double max_growth_of_clumps = 2, max_growth_resolved = 1.05;
 constexpr double min_gain_of_sigma = 1.5, max_gain_resolved = 1.15;
-// And residuals differ from place to place as for uniform noise: see ThinnedNoise::spread.
+// And residuals differ from place to place as for even noise: see ThinnedNoise::spread.
 constexpr double min_spread = .96 * quartile_ratio_of_16, max_spread = 1.13 * quartile_ratio_of_16;
 
 bool
@@ -125,7 +125,7 @@ detectSheets (const Positions& cloud, const NoiseEstimate& noise, const Executio
 }
 
 /** Close sheets look like wide noise. So do clumps inside the noise, but these do not show two peaks, and show
-  * uniform noise when thin enough. */
+  * even noise when thin enough. */
 bool
 mayBeSheets (ThinnedNoise& cloud, int to_resolve, const SheetDetection& sheets)
 {

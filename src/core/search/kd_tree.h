@@ -14,7 +14,7 @@ namespace pcl_normal_smoothing
 namespace core
 {
 /** A balanced kd-tree that answers the queries of all its points together, leaf by leaf.
-  * 
+  *
   * Each leaf gathers once the leaves that can hold neighbours of any of its points; distances are then computed over
   * contiguous arrays. They are ((dx^2 + dy^2) + dz^2) in float, as in FLANN, and the result is exact: rows are
   * ordered by (squared distance, rank), and a tie at the k-th place goes to the lowest rank. */

@@ -12,7 +12,7 @@ namespace pcl_normal_smoothing
 namespace core
 {
 /** The neighbourhoods of all finite points of a cloud, searched once and shared by all stages.
-  * 
+  *
   * Nodes are the cloud's finite points, or, if the query is for distinct points, the first in every place. Their
   * order follows space, so that a kernel that visits the nodes in order finds its neighbours in the cache, whatever
   * the cloud's order. A row begins with the point itself; its neighbours follow by (squared distance, index in the
