@@ -10,7 +10,7 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-// In AveragingWeights: two neighbours of each node in a byte.
+// Of a block in AveragingWeights, which packs two neighbours of a node into one byte.
 constexpr std::size_t bytes_per_neighbor = block_size / 2;
 
 /** The limit on the risk of the lanes' steps. */

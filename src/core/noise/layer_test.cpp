@@ -16,8 +16,8 @@ namespace
 constexpr double flat_height = 1.2e-3;
 constexpr double off_height = 1.2e-2;
 constexpr int min_neighbors_off = 8; // fewer points of another sheet may lie to one side by chance
-// The mean way along the plane to points above or below: as a share of its mean length, at least; and the share of it
-// that the points in the node's own plane reach in the same direction, at most.
+// Points above or below lie to one side if their mean way along the plane is more than this share of its mean length;
+// and the node's own plane has ended there if its points reach less than this share of that way.
 constexpr double min_share_aside = .6;
 constexpr double max_share_beneath = .25;
 constexpr double max_highest_over_lowest = 1.1; // ratio of heights within one layer

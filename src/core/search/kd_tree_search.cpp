@@ -89,7 +89,7 @@ KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisit
   const float reach = std::min (ball + half_diagonal, query.radius);
   gatherCandidates (box, reach, scratch);
 
-  // The k-th neighbour is also no farther than that of an earlier point plus the distance to this.
+  // The k-th neighbour is also no farther than that of an earlier point, plus the distance to that point.
   const std::size_t count = query.k == 0 ? no_slot : query.k - 1;
   std::vector<std::pair<CandidateQuery, float>> earlier; // with the distance of the last neighbour
   for (std::uint32_t slot = own.begin; slot < own.end; ++slot) {
