@@ -12,13 +12,14 @@ namespace pcl_normal_smoothing
 {
 namespace
 {
-/** \throw core::Error where the data ends before the last point */
+/** \throw core::Error if the data ends before the last point */
 void
 requireData (const pcl::PCLPointCloud2& cloud)
 {
   const std::size_t points_of_row = std::size_t (cloud.width) * cloud.point_step;
   const std::size_t row = std::max<std::size_t> ({cloud.row_step, points_of_row, 1});
-  const std::size_t size = cloud.data.size (); // divided, as products of what a damaged header claims may wrap
+  // Compared by division: products of numbers from a damaged header may overflow.
+  const std::size_t size = cloud.data.size ();
   if (cloud.height > 0 && (size < points_of_row || (size - points_of_row) / row < cloud.height - 1))
     throw core::Error ("the cloud has " + std::to_string (cloud.data.size ()) + " bytes of data, too few for " +
                        std::to_string (cloud.width) + " x " + std::to_string (cloud.height) + " points of " +

@@ -48,8 +48,8 @@ overwriteLength (float& length, const std::optional<double>& set, const std::str
     length = floatLength (*set, name, setter);
 }
 
-/** Below 0 a length is to be estimated, which is nothing to set.
-  * \throw core::Error naming the \a setter, where a value was set that is no length */
+/** Below 0 means that a length is to be estimated, which cannot be set.
+  * \throw core::Error naming the \a setter, if an invalid length was set */
 void
 checkLength (const std::optional<double>& set, const std::string& name, const std::string& setter, bool finite = true)
 {

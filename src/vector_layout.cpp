@@ -46,7 +46,7 @@ VectorLayout::find (const pcl::PCLPointCloud2& cloud, const VectorFields& names)
     return std::nullopt;
   const std::size_t scalar_size = all_float ? sizeof (float) : sizeof (double);
   if (*std::max_element (offsets.begin (), offsets.end ()) + scalar_size > cloud.point_step)
-    return std::nullopt; // it would lie in the next point
+    return std::nullopt; // it would extend into the next point
   VectorLayout layout (cloud.point_step, offsets, all_float ? Scalar::FLOAT32 : Scalar::FLOAT64);
   if (cloud.row_step > std::size_t (cloud.width) * cloud.point_step) {
     layout.width_ = cloud.width;

@@ -12,10 +12,10 @@ namespace pcl_normal_smoothing
 /** Filters the normals of a cloud and keeps the edges between them: section II.B, eqs. 2 to 7, of Valdivia, Cedrim,
   * Petronetto, Paiva and Nonato, "Normal Correction Towards Smoothing Point-based Surfaces" (SIBGRAPI 2013).
   *
-  * Reads xyz and the normals, of the points or of setInputNormals; writes the normals of the points (a PointT without
-  * is refused: see filterNormals). Everything else stays. The sign of every normal stays; a point that is not finite,
-  * or whose normal is not finite or zero, stays as it is and does not count for its neighbours. With setIndices all
-  * normals are filtered, and those of the indexed points are written.
+  * Reads xyz and the normals, those of the points or of setInputNormals; writes the normals of the points (a PointT
+  * without normals is refused: see filterNormals). Everything else stays. Normals keep their signs; a point that is
+  * not finite, or whose normal is not finite or zero, stays as it is and does not count for its neighbours. With
+  * setIndices all normals are filtered, and those of the indexed points are written.
   *
   * k or a radius must be set, or a neighbour graph. On an error the output is empty, see filter and
   * getErrorMessage. */
@@ -33,7 +33,7 @@ public:
     options_.iterations = 4;
   }
 
-  /** Which weight a neighbour's normal has. Default NormalWeight::GAUSSIAN. */
+  /** How the normals of neighbours are weighted. Default NormalWeight::GAUSSIAN. */
   void
   setNormalWeight (NormalWeight weight)
   {
@@ -46,7 +46,7 @@ public:
     return options_.weight;
   }
 
-  /** T of eq. 3 (NormalWeight::THRESHOLD): normals at a cosine up to T do not count. Range [0, 1), default 0.65. */
+  /** T of eq. 3 (NormalWeight::THRESHOLD): normals with a cosine up to T do not count. Range [0, 1), default 0.65. */
   void
   setThreshold (double threshold)
   {
@@ -85,7 +85,7 @@ public:
     return options_.mixed_threshold;
   }
 
-  /** The normals point to the same side everywhere: none is flipped for its neighbour, so that two close sheets do not
+  /** The normals are consistently oriented: none is flipped to match a neighbour, so that two close sheets do not
     * mix. Default false. */
   void
   setNormalsOriented (bool oriented)
@@ -112,10 +112,10 @@ public:
     return options_.iterations;
   }
 
-  /** Filters the normals of setInputNormals into a cloud of their own, for point types that have none. Other than that
-    * as filter().
-    * \param[out] normals one for every point of the input, curvature kept; may be the cloud of setInputNormals. Where
-    * the run is cancelled they are those of setInputNormals. On an error (getErrorMessage), also where no input or no
+  /** Filters the normals of setInputNormals into a separate cloud, for point types without normals. Otherwise like
+    * filter().
+    * \param[out] normals one per point of the input, with its curvature; may be the cloud of setInputNormals. If the
+    * run is cancelled, they are those of setInputNormals. On an error (getErrorMessage), or if no input or no
     * normals are set, the cloud of setInputNormals stays as it is, and any other output is empty */
   void
   filterNormals (pcl::PointCloud<pcl::Normal>& normals);

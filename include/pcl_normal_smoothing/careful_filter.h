@@ -7,17 +7,17 @@
 
 namespace pcl_normal_smoothing
 {
-/** What the filters for point types have in common: PCL's filter, with settings, that loses nothing.
-  * \tparam Settings SearchSettings, or derived of it */
+/** The common part of the filters for point types: PCL's filter with settings, but without loss of data.
+  * \tparam Settings SearchSettings, or derived from it */
 template <typename PointT, typename Settings = SearchSettings<PointT>>
 class CarefulFilter : public pcl::Filter<PointT>, public Settings
 {
 public:
   using PointCloud = pcl::PointCloud<PointT>;
 
-  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other
-    * output is empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error
-    * in place empties the cloud, and without an input the output keeps what it held.
+  /** Like pcl::Filter::filter, but on an error a cloud filtered in place stays as it is, and any other output is empty,
+    * also if no input is set. Called through a pointer to pcl::Filter, PCL's version runs: there an error in place
+    * empties the cloud, and without an input the output keeps its content.
     * \param[out] output the filtered input */
   void
   filter (PointCloud& output)

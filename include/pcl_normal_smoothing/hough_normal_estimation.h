@@ -22,7 +22,7 @@ public:
     this->feature_name_ = "HoughNormalEstimation";
   }
 
-  /** Probability with which the votes come close to their distribution. Range (0, 1), default 0.95. */
+  /** Probability that the votes are close to their distribution. Range (0, 1), default 0.95. */
   void
   setConfidence (double confidence)
   {
@@ -35,8 +35,8 @@ public:
     return options_.confidence;
   }
 
-  /** How close the votes come to their distribution. Range [0.001, 1), default 0.08; the number of triples grows with
-    * its inverse square. */
+  /** How close the votes must be to their distribution. Range [0.001, 1), default 0.08; the number of triples grows
+    * with its inverse square. */
   void
   setTolerance (double tolerance)
   {
@@ -49,7 +49,7 @@ public:
     return options_.tolerance;
   }
 
-  /** Bands of the accumulator between the poles. Range [2, 1000], default 15. */
+  /** Number of bands of the accumulator between the poles. Range [2, 1000], default 15. */
   void
   setNumberOfBands (int bands)
   {
@@ -62,7 +62,7 @@ public:
     return options_.bands;
   }
 
-  /** Randomly rotated accumulators. Range [1, 1000], default 5. */
+  /** Number of randomly rotated accumulators. Range [1, 1000], default 5. */
   void
   setNumberOfRotations (int rotations)
   {

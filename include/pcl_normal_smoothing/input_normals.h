@@ -6,13 +6,13 @@
 
 namespace pcl_normal_smoothing
 {
-/** Normals beside a filter's input, for point types that have none. */
+/** Normals given separately from a filter's input, for point types without normals. */
 class InputNormals
 {
 public:
   using NormalsConstPtr = pcl::PointCloud<pcl::Normal>::ConstPtr;
 
-  /** Normals for the points of the input, one each, in place of the points' own. Default none. */
+  /** Normals for the points of the input, one per point, used instead of the points' own. Default none. */
   void
   setInputNormals (const NormalsConstPtr& normals)
   {

@@ -8,13 +8,13 @@
 
 namespace pcl_normal_smoothing
 {
-/** Finds the neighbours of any point: \a neighbors becomes indices in the searched cloud. */
+/** Finds the neighbours of any point: \a neighbors is set to indices in the searched cloud. */
 template <typename PointT>
 using PointSearch = std::function<void (const PointT& point, std::vector<std::uint32_t>& neighbors)>;
 
-/** The answers of a search object to one query.
-  * \param[in] search searches \a cloud from now on, its finite points if it holds others; where many threads call the
-  * result, many ask it at once
+/** Wraps a search object and one kind of query.
+  * \param[in] search is set to search \a cloud, or its finite points if it holds others; if the result is called from
+  * many threads, so is the search
   * \param[in] query k, a radius, or k limited by a radius */
 template <typename PointT>
 PointSearch<PointT>
@@ -30,12 +30,12 @@ graphSearch (const typename pcl::search::Search<PointT>::Ptr& search,
              const core::NeighborQuery& query);
 
 /** Searches the neighbours of all finite points of a cloud once, for all the classes of a chain (setNeighborGraph).
-  * \param[in] k number of neighbours, the point itself included; 0 = by radius
-  * \param[in] radius neighbours are closer; 0 = k alone. Both: the k nearest that are closer.
-  * \param[in] search a search object to ask, from many threads at once; empty = this module's own search, exact and
+  * \param[in] k number of neighbours, the point itself included; 0: by radius
+  * \param[in] radius upper bound on the distance, excluded; 0: k alone. Both: the k nearest within the radius.
+  * \param[in] search a search object, called from many threads at once; empty: this module's own search, exact and
   * faster
-  * \param[in] threads 0 = all cores
-  * \throw core::Error where k and radius are both 0, or one is negative */
+  * \param[in] threads 0: all cores
+  * \throw core::Error if k and radius are both 0, or one is negative */
 template <typename PointT>
 NeighborGraph::ConstPtr
 buildNeighborGraph (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,

@@ -13,9 +13,9 @@ namespace pcl_normal_smoothing
   * and Nonato, "Normal Correction Towards Smoothing Point-based Surfaces" (SIBGRAPI 2013), or the compensated form that
   * does not drift on curved surfaces (UpdateRule).
   *
-  * Reads xyz and the normals, of the points or of setInputNormals; writes xyz. Everything else stays. A point that is
-  * not finite, or whose normal is not finite or zero, stays where it is and moves no other. With setIndices all points
-  * move, and the positions of the indexed ones are written.
+  * Reads xyz and the normals, those of the points or of setInputNormals; writes xyz. Everything else stays. A point
+  * that is not finite, or whose normal is not finite or zero, stays where it is and moves no other. With setIndices
+  * all points move, and the positions of the indexed ones are written.
   *
   * k or a radius must be set, or a neighbour graph. On an error the output is empty, see filter and
   * getErrorMessage. */
@@ -59,8 +59,8 @@ public:
     return options_.sigma_s;
   }
 
-  /** The normals point to the same side everywhere: the signed n_i.n_j is used, so that two close sheets do not pull at
-    * each other. Default false. */
+  /** The normals are consistently oriented: the signed n_i.n_j is used, so that two close sheets do not attract each
+    * other. Default false. */
   void
   setNormalsOriented (bool oriented)
   {
@@ -86,7 +86,8 @@ public:
     return options_.iterations;
   }
 
-  /** No point ends farther from where it began, in the cloud's unit. Range > 0, default infinity: no limit. */
+  /** Upper bound on the distance of a point from its start, in the cloud's unit. Range > 0, default infinity: no
+    * limit. */
   void
   setMaxDisplacement (double distance)
   {
@@ -99,7 +100,7 @@ public:
     return max_displacement_;
   }
 
-  /** Neighbours are searched anew after this many iterations, range >= 0. Default 0: never. */
+  /** Neighbours are searched again after this many iterations, range >= 0. Default 0: never. */
   void
   setSearchInterval (int iterations)
   {
@@ -118,7 +119,7 @@ protected:
   applyFilter (PointCloud& output) override;
 
 private:
-  core::PointUpdateOptions options_; // but for the displacement
+  core::PointUpdateOptions options_; // except for the displacement
   double max_displacement_ = std::numeric_limits<double>::infinity ();
 };
 } // namespace pcl_normal_smoothing

@@ -14,17 +14,17 @@ namespace pcl_normal_smoothing
   * to fit them. After Valdivia, Cedrim, Petronetto, Paiva and Nonato, "Normal Correction Towards Smoothing Point-based
   * Surfaces" (SIBGRAPI 2013); SmoothingPreset::PAPER is their method.
   *
-  * Reads xyz (and the normals for NormalSource::INPUT, of the points or of setInputNormals); writes xyz, and the
-  * normals that the points fit where PointT has some. Everything else stays: every other field, the number and order of
-  * points, the organisation; a point that is not finite stays as it is and is nobody's neighbour. With setIndices the
-  * whole cloud is smoothed and the indexed points are written.
+  * Reads xyz (and, for NormalSource::INPUT, the normals of the points or of setInputNormals); writes xyz, and the
+  * normals that the points fit if PointT has them. Everything else stays: all other fields, the number and order of
+  * points, the organisation; a point that is not finite stays as it is and is no point's neighbour. With setIndices
+  * the whole cloud is smoothed and the indexed points are written.
   *
   * In rounds, points in exactly one place count once and move together, unless the neighbour graph that is set has a
   * node for each.
   *
-  * Without k, radius and graph the preset chooses k; one that is set is at least 7 in rounds, in the chain 4 for WPCA
-  * and 3 for PCA and Hough. The result is the same, bit for bit, for any number of threads. On an error the output is
-  * empty, see filter and getErrorMessage. */
+  * If no k, radius or graph is set, the preset chooses k; a k that is set must be at least 7 in rounds, in the chain
+  * 4 for WPCA and 3 for PCA and Hough. The result is bit for bit the same for any number of threads. On an error the
+  * output is empty, see filter and getErrorMessage. */
 template <typename PointT>
 class NormalSmoothing : public CarefulFilter<PointT, NormalSmoothingBase<PointT>>, public InputNormals
 {
@@ -44,8 +44,8 @@ protected:
   applyFilter (PointCloud& output) override;
 };
 
-/** The same for a cloud of any fields: reads x y z, float or double, and writes them; every other field stays byte for
-  * byte. Fields normal_x normal_y normal_z are read for NormalSource::INPUT, and written where setSaveNormals asks. */
+/** The same for a cloud with any fields: reads and writes x y z, float or double; every other field stays byte for
+  * byte. Fields normal_x normal_y normal_z are read for NormalSource::INPUT, and written with setSaveNormals. */
 template <>
 class PCL_EXPORTS NormalSmoothing<pcl::PCLPointCloud2> : public pcl::Filter<pcl::PCLPointCloud2>,
                                                          public NormalSmoothingBase<pcl::PointXYZ>
@@ -59,8 +59,8 @@ public:
     filter_name_ = "NormalSmoothing";
   }
 
-  /** The normals that the points fit are written to the fields normal_x normal_y normal_z, which the input must have.
-    * Default false. */
+  /** Whether the normals that the points fit are written to the fields normal_x normal_y normal_z, which the input
+    * must have. Default false. */
   void
   setSaveNormals (bool save)
   {
@@ -73,9 +73,9 @@ public:
     return save_normals_;
   }
 
-  /** As pcl::Filter's, with more care: on an error a cloud that is filtered in place stays as it is, and any other
-    * output is empty, also where no input is set. Called through a pointer to pcl::Filter, it is PCL's: there an error
-    * in place empties the cloud, and without an input the output keeps what it held.
+  /** Like pcl::Filter::filter, but on an error a cloud filtered in place stays as it is, and any other output is empty,
+    * also if no input is set. Called through a pointer to pcl::Filter, PCL's version runs: there an error in place
+    * empties the cloud, and without an input the output keeps its content.
     * \param[out] output the smoothed input */
   void
   filter (pcl::PCLPointCloud2& output)
@@ -89,8 +89,8 @@ protected:
   applyFilter (pcl::PCLPointCloud2& output) override;
 
 private:
-  /** What pcl::Filter::filter does with an output that is not the input. Calling that would have every program load
-    * libpcl_filters for it, two thirds of the time that a tool takes to start. */
+  /** Does what pcl::Filter::filter does with an output that is not the input. Calling that would make every program
+    * load libpcl_filters, which takes two thirds of a tool's start-up time. */
   void
   runInto (pcl::PCLPointCloud2& output)
   {

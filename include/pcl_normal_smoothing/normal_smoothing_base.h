@@ -9,7 +9,7 @@
 
 namespace pcl_normal_smoothing
 {
-/** What NormalSmoothing is and does for clouds of every kind.
+/** The part of NormalSmoothing that is common to clouds of every kind.
   * \tparam PointT of the search object */
 template <typename PointT>
 class NormalSmoothingBase : public SearchSettings<PointT>, public SmoothingSettings
@@ -41,11 +41,11 @@ protected:
     return options ().robust;
   }
 
-  /** Searches neighbours and smooths; usedOptions are then those of this run.
+  /** Searches neighbours and smooths; afterwards usedOptions are those of this run.
     * \param[in] positions, normals of the whole cloud; normals for NormalSource::INPUT
-    * \param[in] indices of the points that are to be written
-    * \param[in] cloud given to the search object where one is set
-    * \throw core::Error where the settings or the cloud do not allow it */
+    * \param[in] indices of the points to be written
+    * \param[in] cloud given to the search object, if one is set
+    * \throw core::Error if the settings or the cloud do not allow it */
   SmoothingRun
   runSmoothing (const std::string& class_name,
                 const VectorView& positions,

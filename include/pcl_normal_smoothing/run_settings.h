@@ -21,11 +21,11 @@ enum class Outcome
   FAILED
 };
 
-/** What all classes of this module have in common: threads, progress, a shared neighbour graph, the last error. */
+/** Settings common to all classes of this module: threads, progress, a shared neighbour graph, the last error. */
 class RunSettings
 {
 public:
-  /** Neighbours are closer than this, in the cloud's unit; limits the k nearest. Default 0: no limit. */
+  /** Upper bound on the distance of neighbours, in the cloud's unit; limits the k nearest. Default 0: no limit. */
   void
   setMaxNeighborDistance (double distance)
   {
@@ -38,9 +38,9 @@ public:
     return max_neighbor_distance_;
   }
 
-  /** Neighbourhoods that were searched before (buildNeighborGraph), of a cloud with the same points in the same order;
-    * k, radius and search method are not used then, but for the later searches of a class that searches anew
-    * (setSearchInterval), which ask for k or a radius. Default none. */
+  /** Neighbourhoods searched before (buildNeighborGraph), for a cloud with the same points in the same order. Then
+    * k, radius and search method are not used, except for later searches of a class that searches again
+    * (setSearchInterval), which need k or a radius. Default none. */
   void
   setNeighborGraph (const NeighborGraph::ConstPtr& graph)
   {
@@ -53,7 +53,7 @@ public:
     return neighbor_graph_;
   }
 
-  /** Default 0: all cores; at most 1024 are used. The result does not depend on it. */
+  /** Default 0: all cores; at most 1024 are used. The result does not depend on the number. */
   void
   setNumberOfThreads (unsigned int threads = 0)
   {
@@ -66,22 +66,22 @@ public:
     return threads_;
   }
 
-  /** Called with the share of the work that is done. Where it returns false the run ends: a filter's output is then its
-    * input, a feature's output is empty. Default none. */
+  /** Called with the share of the work done. If it returns false, the run ends: a filter then outputs its input, a
+    * feature's output is empty. Default none. */
   void
   setProgressCallback (const ProgressCallback& progress)
   {
     progress_ = progress;
   }
 
-  /** What went wrong in the last run, and what to do; empty where nothing did. */
+  /** What went wrong in the last run, and what to do about it; empty if nothing did. */
   const std::string&
   getErrorMessage () const
   {
     return error_message_;
   }
 
-  /** The progress callback ended the last run. */
+  /** Whether the progress callback ended the last run. */
   bool
   wasCancelled () const
   {
@@ -91,18 +91,18 @@ public:
 protected:
   ~RunSettings () = default;
 
-  /** What the last run left is to be forgotten: called when another begins, or fails to. */
+  /** Forgets the results of the last run: called when another begins, or fails to. */
   virtual void
   beginRun ()
   {}
 
-  /** Runs \a work; an exception becomes a message under the name of the class. */
+  /** Runs \a work; an exception becomes a message that begins with the class name. */
   Outcome
   attempt (const std::string& class_name, const std::function<void ()>& work);
 
-  /** Runs a filter of PCL's so that nothing is lost: filtered in place, a cloud stays as it is where that fails;
-    * without an input the output is emptied, not left with what it held.
-    * \param[in] filter (output): calls PCL's */
+  /** Runs one of PCL's filters without loss of data: a cloud filtered in place stays as it is if the filter fails;
+    * without an input the output is emptied instead of keeping its content.
+    * \param[in] filter (output) calls PCL's */
   template <typename CloudT, typename Filter>
   void
   filterInto (const std::string& class_name, const CloudT* input, CloudT& output, const Filter& filter)
@@ -114,7 +114,7 @@ protected:
       attempt (class_name, [] { failWithoutInput (); });
     else
       filter (result);
-    // PCL's filter may have refused the input by itself, without a message: then the result is empty.
+    // PCL's filter may have refused the input without a message: then the result is empty.
     if (!input || (error_message_.empty () && result.width == input->width))
       output = std::move (result);
   }
@@ -126,12 +126,12 @@ protected:
   }
 
   /** The graph that was set.
-    * \param[in] may_join it may have joined copies of points
-    * \throw Error where it is of another cloud than \a cloud, or must not have */
+    * \param[in] may_join whether it may have joined copies of points
+    * \throw Error if it belongs to another cloud than \a cloud, or has joined copies but must not */
   NeighborGraph::ConstPtr
   fittingGraph (const core::Positions& cloud, bool may_join = false) const;
 
-  /** No points; header and fields stay. */
+  /** Removes all points; header and fields stay. */
   template <typename CloudT>
   static void
   emptyCloud (CloudT& cloud)
@@ -145,7 +145,8 @@ protected:
     cloud.width = cloud.height = 0;
   }
 
-  /** What a filter's output is after its run: as it stands, the input where it was cancelled, empty where it failed. */
+  /** Sets a filter's output after its run: it stays as it is, becomes the input if cancelled, and is emptied on
+    * failure. */
   template <typename CloudT>
   static void
   settleOutput (Outcome outcome, const CloudT& input, CloudT& output)
@@ -156,8 +157,8 @@ protected:
       emptyCloud (output);
   }
 
-  /** Warns where there are fewer finite points than k.
-    * \throw core::Error where there are fewer than 3 */
+  /** Warns if there are fewer finite points than k.
+    * \throw core::Error if there are fewer than 3 */
   static void
   checkPointCount (const std::string& class_name, std::size_t finite_points, std::size_t k);
 

@@ -8,7 +8,7 @@
 
 namespace pcl_normal_smoothing
 {
-/** How a filter finds neighbours. Features have these setters from pcl::Feature. */
+/** How a filter finds neighbours. Features inherit these setters from pcl::Feature. */
 template <typename PointT>
 class SearchSettings : public RunSettings
 {
@@ -16,7 +16,7 @@ public:
   using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
   using SearchCloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
 
-  /** The search object to ask; it is given the input cloud, and asked from many threads at once (setNumberOfThreads).
+  /** The search object; it is given the input cloud, and called from many threads at once (setNumberOfThreads).
     * Default empty: this module's own search, which is exact and faster. */
   void
   setSearchMethod (const SearchPtr& search)
@@ -43,7 +43,7 @@ public:
     return k_;
   }
 
-  /** Neighbours are closer than this, in the cloud's unit. Default 0: not set. */
+  /** Upper bound on the distance of neighbours, in the cloud's unit. Default 0: not set. */
   void
   setRadiusSearch (double radius)
   {
@@ -59,14 +59,14 @@ public:
 protected:
   ~SearchSettings () = default;
 
-  /** k where neither k nor a radius is set; 0 = that is an error. */
+  /** k if neither k nor a radius is set; 0: that is an error. */
   virtual int
   defaultK () const
   {
     return 0;
   }
 
-  /** \throw core::Error where the class can do nothing with so few neighbours; k 0 = by radius */
+  /** \throw core::Error if k is too small for this class; k 0: by radius */
   virtual void
   checkK (int) const
   {}
@@ -89,17 +89,17 @@ protected:
   }
 
   /** The graph that was set, or one searched now.
-    * \param[in] cloud given to the search object where one is set
-    * \throw core::Error where the settings or the cloud do not allow it */
+    * \param[in] cloud given to the search object, if one is set
+    * \throw core::Error if the settings or the cloud do not allow it */
   NeighborGraph::ConstPtr
   obtainGraph (const std::string& class_name,
                const core::Positions& positions,
                const std::function<SearchCloudConstPtr ()>& cloud,
                const core::Execution& execution) const;
 
-  /** Searches the neighbours of moved nodes as the first were searched. With a graph that was set, searches by k or the
-    * radius, one of which must be set then.
-    * \throw core::Error where neither is */
+  /** Searches the neighbours of moved nodes in the same way as before. If a graph was set, searches by k or the radius,
+    * one of which must then be set.
+    * \throw core::Error if neither is */
   core::SearchAgain
   makeSearchAgain (const NeighborGraph::ConstPtr& graph, const std::function<SearchCloudConstPtr ()>& cloud) const;
 

@@ -8,13 +8,13 @@
 
 namespace pcl_normal_smoothing
 {
-/** As readNormals, of the nodes: where that of one is not finite or zero, that of its first copy that has one. */
+/** readNormals for the nodes; if a node's normal is not finite or zero, that of its first copy with a valid one. */
 core::Vectors
 readNodeNormals (const VectorView& given, const core::NeighborGraph& graph, const core::Execution& execution);
 
-/** Takes what was found of the nodes for their copies too: graph.points ().
-  * \param[in] given the normals of the cloud, where they are not estimated: a copy may be the other side of the
-  * surface, and a point whose own is not finite or zero does not move
+/** Extends the results of nodes to their copies: to graph.points ().
+  * \param[in] given the normals of the cloud, if they are not estimated: a copy may be on the other side of the
+  * surface, and a point whose own normal is not finite or zero does not move
   * \param[in,out] displacements, normals of the nodes; on return, of their copies too */
 void
 includeCopies (const core::NeighborGraph& graph,
@@ -22,17 +22,17 @@ includeCopies (const core::NeighborGraph& graph,
                core::Vectors& displacements,
                core::Vectors& normals);
 
-/** One smoothing of a cloud of any layout: what NormalSmoothing does for every kind of cloud. */
+/** One smoothing of a cloud of any layout: the work of NormalSmoothing for every kind of cloud. */
 class SmoothingRun
 {
 public:
-  /** \throw core::Error where an option or an index is out of range */
+  /** \throw core::Error if an option or an index is out of range */
   SmoothingRun (const core::SmoothingOptions& options,
                 const VectorView& positions,
                 const pcl::Indices& indices,
                 const core::Execution& execution);
 
-  /** The positions of the whole cloud, before smooth. */
+  /** The positions of the whole cloud, before a call of smooth. */
   const core::Positions&
   cloud () const
   {
@@ -47,7 +47,7 @@ public:
           const core::SearchAgain& search_again,
           const core::Execution& execution);
 
-  /** With what was estimated from the cloud. */
+  /** The options, including those estimated from the cloud. */
   const core::SmoothingOptions&
   options () const
   {
@@ -63,7 +63,7 @@ public:
   writeNormals (const VectorLayout& layout, std::uint8_t* data) const;
 
 private:
-  /** What belongs to these is written. */
+  /** The points whose results are written. */
   const core::Elements&
   points () const
   {
@@ -75,7 +75,7 @@ private:
   std::vector<bool> selected_;
   core::Positions cloud_;
   core::NeighborGraph::ConstPtr graph_;
-  core::Elements with_copies_; // the points that are written, where they are more than the nodes
+  core::Elements with_copies_; // the points that are written, if they are more than the nodes
   core::Vectors displacements_;
   double unit_ = 1; // of the displacements
   core::Vectors normals_;

@@ -7,20 +7,20 @@
 
 namespace pcl_normal_smoothing
 {
-/** A set of parameters. Whatever is set explicitly holds over it, in any order. */
+/** A set of parameters. Explicitly set values take precedence, in any order. */
 enum class SmoothingPreset
 {
-  DEFAULT, //!< the best quality: robust smoothing in rounds, by the noise that the cloud has
+  DEFAULT, //!< the best quality: robust smoothing in rounds, based on the noise of the cloud
   FAST,    //!< the best at about a third of the cost: fewer rounds over smaller neighbourhoods
   PAPER    //!< PGU7 of Valdivia et al. 2013 with 5 normal and 7 point iterations, as on its scanned bust
 };
 
 /** The parameters of NormalSmoothing.
   *
-  * The presets DEFAULT and FAST smooth in rounds, which need no parameter. Where one of the parameters of the paper's
-  * chain is set (the normal filter's, the update's rule or sigma_s, or a search interval above 0), the chain runs in
-  * their place: WPCA, k 15, Gaussian weights, 2 normal iterations, 2 compensated point iterations, apart from what is
-  * set. Defaults of those parameters are the chain's, and PAPER's where they differ.
+  * The presets DEFAULT and FAST smooth in rounds, which need no parameter. If a parameter of the paper's chain is
+  * set (of the normal filter, the update's rule or sigma_s, or a search interval above 0), the chain runs instead:
+  * WPCA, k 15, Gaussian weights, 2 normal iterations, 2 compensated point iterations, except for what is set. The
+  * defaults given below for those parameters are the chain's, and PAPER's where they differ.
   *
   * Setters that take a std::optional set nothing by std::nullopt: what was set before is taken back. */
 class SmoothingSettings
@@ -39,14 +39,14 @@ public:
     return preset_;
   }
 
-  /** Where the normals come from; in rounds: those of the first. Default NormalSource::WPCA, PAPER: PCA. */
+  /** The source of the normals; in rounds, of the initial ones. Default NormalSource::WPCA, PAPER: PCA. */
   void
   setNormalSource (std::optional<NormalSource> source)
   {
     normal_source_ = source;
   }
 
-  /** Which weight a neighbour's normal has in the filter. Chooses the chain. Default NormalWeight::GAUSSIAN. */
+  /** How the filter weights the normals of neighbours. Chooses the chain. Default NormalWeight::GAUSSIAN. */
   void
   setNormalWeight (std::optional<NormalWeight> weight)
   {
@@ -102,24 +102,24 @@ public:
     point_iterations_ = iterations;
   }
 
-  /** No point ends farther from where it began, in the cloud's unit, range > 0. Default, and where it is infinity: five
-    * times the largest noise in rounds, no limit in the chain. */
+  /** Upper bound on the distance of a point from its start, in the cloud's unit, range > 0. Default, and if
+    * infinite: five times the largest noise in rounds, no limit in the chain. */
   void
   setMaxDisplacement (std::optional<double> distance)
   {
     max_displacement_ = distance;
   }
 
-  /** Neighbours of moved points are searched anew after this many iterations of the point update, range >= 0; above 0
-    * it chooses the chain, as rounds never search anew. Default 0: never. */
+  /** Neighbours of moved points are searched again after this many iterations of the point update, range >= 0. Above
+    * 0 it chooses the chain, as rounds never search again. Default 0: never. */
   void
   setSearchInterval (int iterations)
   {
     search_interval_ = iterations;
   }
 
-  /** The normals point to the same side everywhere: nothing is flipped, and two close sheets stay apart. With
-    * NormalSource::INPUT only: estimated normals have arbitrary signs, so that with them the run is an error. Default
+  /** The normals are consistently oriented: none is flipped, and two close sheets stay apart. With
+    * NormalSource::INPUT only: estimated normals have arbitrary signs, and the run ends with an error. Default
     * false. */
   void
   setNormalsOriented (bool oriented)
@@ -135,71 +135,70 @@ public:
     noise_sigma_ = sigma;
   }
 
-  /** The noise may differ from place to place, as that of scanners does: sigma is then its median over the points, and
-    * the cloud tells how it varies. For rounds. Default: true, but false where setNoiseSigma gives one sigma for
-    * all. */
+  /** Whether the noise may differ from place to place, as that of scanners does: sigma is then its median over the
+    * points, and its variation is estimated from the cloud. For rounds. Default: true, but false if setNoiseSigma
+    * gives a single sigma. */
   void
   setNoiseVaries (std::optional<bool> varies)
   {
     noise_varies_ = varies;
   }
 
-  /** Neighbourhoods may be too narrow to show the surface, and any noise: where points lie on the lines of a lidar that
-    * turns, or in layers, for their coordinates come in steps, as those of depth cameras do, or where the noise is
-    * wider than the points are apart. Where the cloud shows that, they grow, k as it is; or, in wide noise where they
-    * would lose detail, points first move onto quadrics through 32 to 128 of them. For rounds, and with k nearest
-    * neighbours, not where a radius bounds them; wide noise is looked for from k = 16 on. What rounding made of
-    * coordinates (voxels, few digits) is looked for too. Default: true. */
+  /** Neighbourhoods may be too narrow to show the surface, or any noise: if points lie on the lines of a rotating
+    * lidar, or in layers, as coordinates come in steps like those of depth cameras, or if the noise is wider than
+    * the spacing. If the cloud shows that, they grow, with k unchanged; or, in wide noise where they would lose
+    * detail, points first move onto quadrics through 32 to 128 of them. For rounds with k nearest neighbours, not if
+    * a radius bounds them; wide noise is looked for only from k = 16 on. Rounding of coordinates (voxels, few
+    * digits) is looked for too. Default: true. */
   void
   setWidenNeighborhoods (bool widen)
   {
     widen_neighborhoods_ = widen;
   }
 
-  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; that of neighbours, where
-    * neighbourhoods are widened. Default: estimated. */
+  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; if neighbourhoods are
+    * widened, between neighbours. Default: estimated. */
   void
   setPointSpacing (std::optional<double> spacing)
   {
     point_spacing_ = spacing;
   }
 
-  /** A neighbour that is farther than this from the mean of both points' tangent planes may lie on another sheet and is
-    * not counted, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one. Default: where the cloud shows
-    * close sheets, .36 of the gap between them, at most the smaller of 4 sigma and 1.2 spacings; where it shows the
-    * layers of a depth camera, infinity; else max (4 sigma, min (4 of the largest sigma, 1.2 spacings)), but infinity
-    * where four of the largest sigma are more than three times that, and for FAST, but on the lines of a scan. */
+  /** A neighbour farther than this from the mean of both points' tangent planes may lie on another sheet and does
+    * not count, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one sheet. Default: if the cloud
+    * shows close sheets, .36 of the gap between them, at most the smaller of 4 sigma and 1.2 spacings; if it shows
+    * the layers of a depth camera, infinity; else max (4 sigma, min (4 times the largest sigma, 1.2 spacings)), but
+    * infinity if 4 times the largest sigma is more than three times that, and for FAST, except on scan lines. */
   void
   setSheetDistance (std::optional<double> distance)
   {
     sheet_distance_ = distance;
   }
 
-  /** Of NormalSource::HOUGH. Default 0. */
+  /** Seed of NormalSource::HOUGH. Default 0. */
   void
   setSeed (std::uint64_t seed)
   {
     seed_ = seed;
   }
 
-  /** The preset with all that was set explicitly; what the cloud has to tell is below 0.
-    * \throw core::Error where the noise, the spacing or the sheet distance was set to what is no length, in rounds;
-    * where float cannot hold a length */
+  /** The preset with everything that was set explicitly; values to be estimated are below 0.
+    * \throw core::Error if the noise, the spacing or the sheet distance was set to an invalid length, in rounds; or
+    * if float cannot hold a length */
   core::SmoothingOptions
   options () const;
 
-  /** What the last run used, with what it estimated from the cloud; of a run that failed or was cancelled, nothing: as
-    * constructed. Set explicitly, it gives the same result, where rounds.noise.field has regions with setNoiseVaries
-    * (true) besides. */
+  /** The options of the last run, with the values estimated from the cloud; after a failed or cancelled run, as
+    * constructed. Set explicitly, they give the same result; if rounds.noise.field has regions, call setNoiseVaries
+    * (true) too. */
   const core::SmoothingOptions&
   usedOptions () const
   {
     return used_options_;
   }
 
-  /** k where neither k, nor a radius, nor a graph is set: 32 of DEFAULT, 16 of FAST, 15 of the chain in their place, 7
-    * of PAPER. Of a larger one that is set, or of more neighbours within a radius, the rounds look at the nearest
-    * 32. */
+  /** k if neither k, nor a radius, nor a graph is set: 32 for DEFAULT, 16 for FAST, 15 for the chain that replaces
+    * them, 7 for PAPER. The rounds use at most the nearest 32, even if a larger k is set or a radius contains more. */
   int
   presetK () const;
 

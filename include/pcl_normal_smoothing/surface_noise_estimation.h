@@ -8,16 +8,16 @@
 
 namespace pcl_normal_smoothing
 {
-/** Tells how noisy a scan is: the standard deviation of its noise along the surface's normal, from what quadrics
-  * through small neighbourhoods leave. NormalSmoothing estimates so too where setNoiseSigma gives none, but follows
-  * what else it finds: where it tells close sheets apart, its sigma is that of the neighbourhoods without the other
-  * sheet; where it sees past coordinates in steps, its neighbourhoods, and so its spacing, are wider ones. Its
-  * usedOptions have what it used.
+/** Estimates how noisy a scan is: the standard deviation of its noise along the surface's normal, from the residuals of
+  * quadrics through small neighbourhoods. NormalSmoothing estimates in the same way if setNoiseSigma gives none, but
+  * takes into account what else it finds: if it separates close sheets, its sigma is that of neighbourhoods without the
+  * other sheet; if it sees past coordinates in steps, its neighbourhoods, and hence its spacing, are wider. Its
+  * usedOptions contain what it used.
   *
-  * Looks at a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter, and
-  * points in one place count as one, but in a graph that is set. The 16 nearest points are searched, unless a graph or
-  * a larger k is set. With setIndices the indexed points alone are the cloud: where these are not all that are finite,
-  * a search object (setSearchMethod) is given an unorganised copy of them, and a neighbour graph is refused. */
+  * Uses a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter, and
+  * points in one place count as one, unless a graph is set. The 16 nearest points are searched, unless a graph or a
+  * larger k is set. With setIndices only the indexed points are the cloud: if these are not all finite points, a
+  * search object (setSearchMethod) is given an unorganised copy of them, and a neighbour graph is refused. */
 template <typename PointT>
 class SurfaceNoiseEstimation : public pcl::PCLBase<PointT>, public SearchSettings<PointT>
 {
@@ -25,11 +25,12 @@ public:
   using Ptr = pcl::shared_ptr<SurfaceNoiseEstimation<PointT>>;
   using ConstPtr = pcl::shared_ptr<const SurfaceNoiseEstimation<PointT>>;
 
-  /** Looks at the input cloud. \return false on an error, see getErrorMessage; sigma and spacing are 0 then */
+  /** Estimates the noise of the input cloud. \return false on an error, see getErrorMessage; sigma and spacing are
+    * then 0 */
   bool
   compute ();
 
-  /** Standard deviation of the noise, in the cloud's unit; where it varies, the median over the points. 0 before
+  /** Standard deviation of the noise, in the cloud's unit; if it varies, the median over the points. 0 before
     * compute. */
   double
   getSigma () const
@@ -37,8 +38,8 @@ public:
     return estimate_.sigma;
   }
 
-  /** Standard deviation of the noise around \a place, both in the cloud's unit: getSigma everywhere, unless the cloud
-    * shows that its noise varies, as that of scanners does. 0 before compute. */
+  /** Standard deviation of the noise around \a place, both in the cloud's unit: getSigma everywhere, unless the
+    * cloud shows that its noise varies, as that of scanners does. 0 before compute. */
   double
   getSigmaAt (const Eigen::Vector3f& place) const
   {
@@ -73,8 +74,8 @@ protected:
   }
 
 private:
-  /** The points that are looked at: the input itself where all finite ones are indexed, else a copy of the indexed.
-    * \throw core::Error where an index is out of range, or there would be a copy but a graph is set */
+  /** The points that are used: the input itself if all finite points are indexed, else a copy of the indexed ones.
+    * \throw core::Error if an index is out of range, or if a copy is needed but a graph is set */
   typename pcl::PointCloud<PointT>::ConstPtr
   indexedPoints () const;
 

@@ -10,14 +10,14 @@
 
 namespace pcl_normal_smoothing
 {
-/** What this module's normal estimators have in common: which neighbourhoods they look at, and which way normals point.
+/** The common part of this module's normal estimators: which neighbourhoods they use, and which way normals point.
   *
-  * Reads xyz; writes normal and curvature (the surface variation), one output for every index. A point that is not
-  * finite, or whose neighbourhood has fewer than 3 points (WPCA: without the point itself) or lies on a line, gets NaN,
-  * and the output is not dense. Normals point to the viewpoint, as those of pcl::NormalEstimation do.
+  * Reads xyz; writes normal and curvature (the surface variation), one output per index. A point that is not finite, or
+  * whose neighbourhood has fewer than 3 points (WPCA: without the point itself) or lies on a line, gets NaN, and the
+  * output is not dense. Normals point to the viewpoint, like those of pcl::NormalEstimation.
   *
-  * k or a radius must be set, or a neighbour graph; too small a k for any normal is an error. On an error the output is
-  * empty; see getErrorMessage. */
+  * k or a radius must be set, or a neighbour graph; a k too small for any normal is an error. On an error the output
+  * is empty; see getErrorMessage. */
 template <typename PointInT, typename PointOutT>
 class SurfaceNormalEstimation : public pcl::Feature<PointInT, PointOutT>, public RunSettings
 {
@@ -34,11 +34,11 @@ public:
     use_sensor_origin_ = false;
   }
 
-  /** The viewpoint of setViewPoint, or else the sensor origin of the input cloud, zero without a cloud. */
+  /** The viewpoint of setViewPoint, otherwise the sensor origin of the input cloud, zero without a cloud. */
   void
   getViewPoint (float& x, float& y, float& z) const
   {
-    // Here and not in impl: the classes that are compiled into the library do not bring all of their base with them.
+    // Here and not in impl: the classes compiled into the library do not instantiate all members of their base.
     Eigen::Vector3f view_point = view_point_;
     if (use_sensor_origin_)
       view_point = this->input_ ? Eigen::Vector3f (this->input_->sensor_origin_.template head<3> ())
@@ -60,7 +60,7 @@ protected:
   virtual core::SurfaceEstimator
   makeEstimator () const = 0;
 
-  /** As PCL's, but builds no tree, and asks for no k where a graph is set. */
+  /** Like PCL's, but builds no tree, and needs no k if a graph is set. */
   bool
   initCompute () override;
 
@@ -75,11 +75,11 @@ private:
   std::vector<core::LocalSurface>
   estimateOverGraph (const core::SurfaceEstimator& estimator);
 
-  /** Where the surface is another cloud, or only some points are asked for. */
+  /** Used if the surface is another cloud, or if only some points are indexed. */
   std::vector<core::LocalSurface>
   estimateByQueries (const core::SurfaceEstimator& estimator);
 
-  /** Turns a surface to the viewpoint and stores it. */
+  /** Flips the normal of a surface towards the viewpoint and stores it. */
   void
   store (const core::LocalSurface& surface, const Eigen::Vector3f& to_view_point, PointOutT& output) const;
 

@@ -16,13 +16,13 @@
 
 namespace pcl_normal_smoothing
 {
-/** Names of three fields that are a vector. */
+/** Names of three fields that form a vector. */
 using VectorFields = std::array<std::string, 3>;
 
 extern const VectorFields position_fields; //!< x, y, z
 extern const VectorFields normal_fields;   //!< normal_x, normal_y, normal_z
 
-/** Where the points of a cloud keep a vector: how compiled code reads and writes any point type. */
+/** Where the points of a cloud keep a vector: lets compiled code read and write any point type. */
 class VectorLayout
 {
 public:
@@ -34,8 +34,8 @@ public:
 
   using Offsets = std::array<std::size_t, 3>;
 
-  /** \param[in] stride bytes from a point to the next
-    * \param[in] offsets bytes from a point's begin to its three numbers */
+  /** \param[in] stride bytes from one point to the next
+    * \param[in] offsets bytes from the begin of a point to its three numbers */
   VectorLayout (std::size_t stride, const Offsets& offsets, Scalar scalar)
   : stride_ (stride), offsets_ (offsets), scalar_ (scalar)
   {}
@@ -54,11 +54,11 @@ public:
             type == pcl::PCLPointField::FLOAT32 ? Scalar::FLOAT32 : Scalar::FLOAT64};
   }
 
-  /** The fields called \a names; nothing where one is missing, or they are not all float or all double. */
+  /** The fields called \a names; empty if one is missing, or they are not all float or all double. */
   static std::optional<VectorLayout>
   find (const pcl::PCLPointCloud2& cloud, const VectorFields& names);
 
-  /** The same. \throw core::Error where find has nothing: it names the fields that there are, and tells the \a advice */
+  /** The same. \throw core::Error if find returns nothing: it names the available fields, and adds the \a advice */
   static VectorLayout
   require (const pcl::PCLPointCloud2& cloud, const VectorFields& names, const std::string& advice);
 
@@ -76,7 +76,7 @@ public:
     return scalar_ == Scalar::FLOAT32 ? numbersAt<float> (point).template cast<double> () : numbersAt<double> (point);
   }
 
-  /** \return whether the point can hold the value: false where a number is not finite, or too large for a float */
+  /** \return whether the point can hold the value: false if a number is not finite, or too large for a float */
   bool
   set (std::uint8_t* data, std::size_t i, const Eigen::Vector3d& value) const
   {
@@ -85,7 +85,7 @@ public:
                                       : putNumbers<double> (point, value);
   }
 
-  /** Tells the processor that point \a i is soon asked for. */
+  /** Tells the processor that point \a i will be needed soon. */
   void
   prefetch (const std::uint8_t* data, std::size_t i) const
   {
@@ -121,7 +121,7 @@ private:
   std::size_t stride_;
   Offsets offsets_;
   Scalar scalar_;
-  std::size_t width_ = 0; // of rows with padding behind them; 0 = none have any
+  std::size_t width_ = 0; // of rows that are followed by padding; 0: none are
   std::size_t row_step_ = 0;
 };
 
@@ -141,7 +141,7 @@ normalLayout ()
   return VectorLayout::ofFields<PointT, pcl::fields::normal_x, pcl::fields::normal_y, pcl::fields::normal_z> ();
 }
 
-/** A vector of every point of a cloud, to read. */
+/** Read access to a vector of every point of a cloud. */
 struct VectorView
 {
   VectorLayout layout;
@@ -163,43 +163,43 @@ normalsOf (const pcl::PointCloud<PointT>& cloud)
   return {normalLayout<PointT> (), reinterpret_cast<const std::uint8_t*> (cloud.data ()), cloud.size ()};
 }
 
-/** The unit in which the kernels can work on a cloud: 1, or, where half of its points lie nearer to the middle one than
-  * 2^-20 or farther than 2^20, a power of two of that size. */
+/** The unit in which the kernels can process a cloud: 1, or, if the median distance of its points from the middle
+  * one is below 2^-20 or above 2^20, a power of two of that size. */
 double
 unitOf (const VectorView& positions);
 
-/** The points of a cloud of \a size that tell its unit, some hundreds, and the unit from those of them that are finite:
-  * for a cloud that is nowhere as a whole. */
+/** The points of a cloud of \a size that determine its unit, some hundreds; and the unit from the finite ones among
+  * them: for a cloud that is never in memory as a whole. */
 std::vector<std::uint64_t>
 unitSample (std::uint64_t size);
 
 double
 unitOf (const std::vector<Eigen::Vector3d>& sample);
 
-/** The positions in unitOf (\a positions). */
+/** The positions in the unit unitOf (\a positions). */
 core::Positions
 readPositions (const VectorView& positions, const core::Execution& execution = core::Execution (1));
 
-/** The positions in that unit: of a cloud that belongs to another. */
+/** The positions in a given \a unit, that of another cloud. */
 core::Positions
 readPositions (const VectorView& positions, double unit, const core::Execution& execution = core::Execution (1));
 
-/** The normals of the points \a order names, at length 1; NaN where one is not finite or zero. */
+/** The normals of the points named by \a order, normalised; NaN if one is not finite or zero. */
 core::Vectors
 readNormals (const VectorView& normals,
              const core::Elements& order,
              const core::Execution& execution = core::Execution (1));
 
-/** Which of \a size points \a indices names.
-  * \throw core::Error where an index is out of range */
+/** Marks those of \a size points that \a indices names.
+  * \throw core::Error if an index is out of range */
 std::vector<bool>
 selectPoints (const pcl::Indices& indices, std::size_t size);
 
-/** Adds what nodes have moved to the positions of the selected points of a cloud; one that has not moved keeps its
-  * bits.
+/** Adds the displacements of nodes to the positions of the selected points of a cloud; a point that has not moved keeps
+  * its bits.
   * \param[in] unit of the displacements, see core::Positions
   * \param[in] order the point of every node
-  * \throw core::Error where a point would move to where its type has no numbers; some are written then */
+  * \throw core::Error if the point type cannot hold a new position; some points are already written then */
 void
 writeDisplacements (const core::Vectors& displacements,
                     double unit,
@@ -209,7 +209,7 @@ writeDisplacements (const core::Vectors& displacements,
                     std::uint8_t* data,
                     const core::Execution& execution = core::Execution (1));
 
-/** Writes the normals of the nodes to the selected points; where a node has none (NaN) the point keeps its own. */
+/** Writes the normals of the nodes to the selected points; if a node has none (NaN), the point keeps its own. */
 void
 writeNormals (const core::Vectors& normals,
               const core::Elements& order,

@@ -8,9 +8,9 @@ namespace pcl_normal_smoothing
 /** Normals by weighted PCA: eq. 1 of Valdivia, Cedrim, Petronetto, Paiva and Nonato, "Normal Correction Towards
   * Smoothing Point-based Surfaces" (SIBGRAPI 2013).
   *
-  * A neighbour weighs the inverse of its distance, and the covariance is taken about the weighted centroid of the other
-  * points: k has to be at least 4, or 3 with a search surface (setSearchSurface). Works wherever a pcl::Feature
-  * does. */
+  * A neighbour is weighted by the inverse of its distance, and the covariance is taken about the weighted centroid
+  * of the other points: k must be at least 4, or 3 with a search surface (setSearchSurface). Works wherever a
+  * pcl::Feature does. */
 template <typename PointInT, typename PointOutT>
 class WPCANormalEstimation : public SurfaceNormalEstimation<PointInT, PointOutT>
 {
@@ -27,7 +27,8 @@ protected:
   core::SurfaceEstimator
   makeEstimator () const override
   {
-    const bool without_itself = !this->surface_ || this->surface_ == this->input_; // of another surface all are others
+    // On another surface, all points are others.
+    const bool without_itself = !this->surface_ || this->surface_ == this->input_;
     if (!this->neighbor_graph_)
       core::checkNeighborCount (without_itself ? NormalSource::WPCA : NormalSource::PCA, this->k_);
     return core::makeEstimator (NormalSource::WPCA, {});

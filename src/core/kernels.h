@@ -16,11 +16,11 @@ struct BlockRows
 {
   const std::uint32_t* neighbors;
   std::size_t length;
-  std::size_t begin = 0;       // of the block where all blocks keep something for every neighbour
-  std::size_t pairs_begin = 0; // of the block where all blocks keep one byte for two neighbours
+  std::size_t begin = 0;       // index of the block's first entry in arrays with one value per neighbour
+  std::size_t pairs_begin = 0; // index of the block's first entry in arrays with one byte per pair of neighbours
 };
 
-/** Vectors of three floats of all nodes. */
+/** Arrays of three floats per node. */
 struct NodeArrays
 {
   const float* base;
@@ -28,44 +28,44 @@ struct NodeArrays
   const float* normals; // null for kernels that read none
 };
 
-/** Computes a number of every node. */
-struct NumberOfNodes
+/** Computes the residual variance of a quadric through every neighbourhood: see core/noise/residual_quantiles.h. */
+struct QuadricResiduals
 {
   NodeArrays nodes;
-  float* numbers; // out
+  float* variances; // out
 };
 
 /** Weighs every neighbour by its distance: see core/chain/normal_filter.h. */
 struct DistanceWeights
 {
   NodeArrays nodes;
-  std::uint16_t* weights; // out: exp (-d^2 / (2 sigma_c^2)) in units of 1 / 65535; 0 behind the end of a row
+  std::uint16_t* weights; // out: exp (-d^2 / (2 sigma_c^2)) in units of 1 / 65535; 0 beyond the end of a row
 };
 
-/** Computes a normal of every node. */
-struct NormalOfNodes
+/** Computes the initial normal of every node: see core/rounds/robust_smoothing.h. */
+struct StartNormals
 {
   NodeArrays nodes;
   float* normals; // out
 };
 
-/** Gives every node the best supported of the normals around: see core/sheets/sheet_separation.h. */
+/** Gives every node the best supported of the normals around it: see core/sheets/sheet_separation.h. */
 struct NormalVoteStep
 {
   NodeArrays nodes;
-  float height_factor; // 1 / (2 sigma^2) of the distance from a candidate's plane
-  float agreement;     // how much a neighbour's normal counts against its position; 0: not at all
+  float height_factor; // 1 / (2 sigma^2) for the distance from a candidate's plane
+  float agreement;     // weight of a neighbour's normal relative to its position; 0: normals are ignored
   float* elected;      // out
 };
 
 /** Counts the neighbours of every node that lie on another sheet: see core/sheets/sheet_separation.h. */
-struct OtherSheetTest
+struct OtherSheetCount
 {
   NodeArrays nodes;
-  float sq_distance; // that a neighbour must exceed,
-  float sq_slope;    // and this times the square of the way to it more
-  float min_cosine;  // between the normals
-  bool oriented;     // an opposite normal is enough
+  float sq_distance; // a neighbour is on another sheet if its squared height over the
+  float sq_slope;    // tangent plane exceeds sq_distance + sq_slope * (squared distance to it),
+  float min_cosine;  // and |cosine| between the normals exceeds this
+  bool oriented;     // an opposite normal suffices
   float* others;     // out
 };
 
@@ -73,22 +73,22 @@ struct OtherSheetTest
 struct NormalFilterStep
 {
   NodeArrays nodes;
-  const std::uint16_t* distance_weights; // of all neighbours; null for NormalWeight::THRESHOLD
+  const std::uint16_t* distance_weights; // one per neighbour; null for NormalWeight::THRESHOLD
   NormalWeight weight;
-  float threshold;     // of NormalWeight::THRESHOLD
+  float threshold;     // for NormalWeight::THRESHOLD
   float normal_factor; // 1 / (2 sigma_s^2)
   MixedThreshold mixed_threshold;
   bool oriented;
-  bool all_normals; // no node is without one
+  bool all_normals; // every node has a normal
   float* filtered;  // out
 };
 
-/** Along what a neighbour moves a point, and by what it weighs. */
+/** The direction in which a neighbour moves a point, and what its weight depends on. */
 enum class UpdateKind
 {
-  PAPER,       // its normal; by its distance and normal: UpdateRule::PAPER
-  COMPENSATED, // the mean of both normals; by the same: UpdateRule::COMPENSATED
-  ROBUST       // the mean of both normals; by its height too: the rounds
+  PAPER,       // the neighbour's normal; weighted by distance and normal: UpdateRule::PAPER
+  COMPENSATED, // the mean of both normals; weighted likewise: UpdateRule::COMPENSATED
+  ROBUST       // the mean of both normals; weighted by height too: the rounds
 };
 
 /** One iteration of the point update: see core/chain/point_update.h. */
@@ -97,18 +97,18 @@ struct PointUpdateStep
   NodeArrays nodes;
   const float* start; // offsets before the first iteration; null where all are zero
   UpdateKind kind;
-  float reach_scale;             // of 1 / (2 sigma_c^2)
-  const float* reach_factors;    // of that, of all nodes; null: 1
+  float reach_scale;             // factor of 1 / (2 sigma_c^2)
+  const float* reach_factors;    // further factor per node; null: 1
   float normal_factor;           // 1 / (2 sigma_s^2)
-  float residual_factor;         // of UpdateKind::ROBUST: 1 / (2 sigma^2) of the height
-  const float* variance_factors; // of the noise, of all nodes; null: 1
+  float residual_factor;         // for UpdateKind::ROBUST: 1 / (2 sigma^2) for the height
+  const float* variance_factors; // of the noise, per node; null: 1
   bool oriented;
-  bool all_normals; // no node is without one
+  bool all_normals; // every node has a normal
   float max_displacement;
   float* moved; // out: offsets
 };
 
-/** The most neighbours that project_points looks at. */
+/** Upper bound on the neighbours that project_points uses. */
 constexpr std::size_t max_projection_neighbors = 128;
 
 /** Moves every node onto a quadric through its neighbours: see core/noise/quadric_projection.h. */
@@ -123,49 +123,49 @@ struct QuadricFitStep
 {
   NodeArrays nodes;
   int solves;
-  bool turn_frame; // to the first fit
-  bool by_normal;  // neighbours weigh by their normal too
+  bool turn_frame; // to the gradient of the first fit
+  bool by_normal;  // weight neighbours by their normals too
   bool oriented;
-  float residual_factor;         // 1 / (2 sigma^2) of the distance from the last fit
-  const float* variance_factors; // of the noise, of all nodes; null: 1
+  float residual_factor;         // 1 / (2 sigma^2) for the distance from the previous fit
+  const float* variance_factors; // of the noise, per node; null: 1
   float ridge;
   float* fitted; // out
 };
 
-// How much of a proposed step to take, in four tasks, each of all nodes before the next: see
+// How much of a proposed step to take, in four tasks; each is completed for all nodes before the next: see
 // core/rounds/robust_smoothing.h.
 
-/** What a step may cost. */
-struct StepGain
+/** The risk at which a step is refused: sigma^2 K of doc/robust_smoothing.md, times a tolerance. */
+struct RiskLimit
 {
   float usual;
-  const float* factors; // of all nodes; null: 1
+  const float* factors; // per node; null: 1
 };
 
-/** Tells what the proposed steps risk. */
+/** Computes the risk of the proposed steps. */
 struct StepRisks
 {
   NodeArrays nodes;
   const float* proposed; // offsets
-  const float* moved;    // along the normals since the first round
-  StepGain gain;
-  float* risks; // out: two numbers a node
+  const float* moved;    // distance moved along the normals since the first round
+  RiskLimit limit;
+  float* risks; // out: two values per node
 };
 
-/** Weighs every neighbour for the averages. */
+/** Computes the weights of the neighbours in the averages. */
 struct AveragingWeights
 {
   NodeArrays nodes;
   bool oriented;
-  std::uint8_t* weights; // out: of all neighbours, from 0 to 15, two a byte
+  std::uint8_t* weights; // out: from 0 to 15 per neighbour, two in a byte
 };
 
 /** Averages the risks over the neighbourhoods, once. */
 struct RiskAverages
 {
   const std::uint8_t* weights; // of AveragingWeights
-  const float* risks;          // two numbers a node
-  float* averaged;             // out: the same
+  const float* risks;          // two values per node
+  float* averaged;             // out: likewise
 };
 
 /** Takes as much of every step as its risk allows. */
@@ -174,14 +174,14 @@ struct StepsToTake
   NodeArrays nodes;
   const float* start;    // offsets before the first round; null where all are zero
   const float* proposed; // offsets
-  const float* risks;    // averaged: two numbers a node
-  StepGain gain;
+  const float* risks;    // averaged: two values per node
+  RiskLimit limit;
   float max_displacement;
-  float* moved; // in and out: along the normals since the first round; null in that one, which does not count
-  float* taken; // out: offsets; may be the proposed ones
+  float* moved; // in and out: distance moved along the normals since the first round; null in that round
+  float* taken; // out: offsets; may be the same array as proposed
 };
 
-/** Moves points along the surface that came too close to each other: see core/rounds/robust_smoothing.h. */
+/** Moves points that came too close to each other apart along the surface: see core/rounds/robust_smoothing.h. */
 struct KeepApartStep
 {
   NodeArrays nodes;
@@ -191,11 +191,11 @@ struct KeepApartStep
   float* moved; // out: offsets
 };
 
-/** Of a far row, with the node itself. */
+/** Length of a far row, the node itself included. */
 constexpr std::size_t far_row_length = 16;
 
-/** The rank, in a row of that length, of the neighbour that a slot of a far row goes on from; 0, which is the node
-  * itself, where the row is too short. */
+/** Rank, in a row of that length, of the neighbour from which a slot of a far row continues; 0 (the node itself) if
+  * the row is too short. */
 constexpr std::size_t
 seedRank (std::size_t slot, std::size_t row_length)
 {
@@ -207,24 +207,24 @@ struct FarRowsStep
 {
   NodeArrays nodes;                       // their normals are not read
   const std::uint32_t* const* block_rows; // of the graph
-  const std::uint8_t* row_lengths;        // of all nodes, 32 at most
-  std::uint8_t* ranks;                    // out: block_size far_row_length of every block
+  const std::uint8_t* row_lengths;        // per node, at most 32
+  std::uint8_t* ranks;                    // out: block_size * far_row_length per block
 };
 
 /** Lets block_size triples of points vote for the normals of their planes: see core/chain/hough.h. */
 struct PlaneVotes
 {
   const float* points;                        // vectors of three floats
-  const std::uint32_t (*triples)[block_size]; // the first points, the second ones, the third ones
+  const std::uint32_t (*triples)[block_size]; // the first points, then the second, then the third
   const float (*rotation)[3];
-  const float* band_cosine; // of the angle from the pole at which every band ends
-  const float* band_begin;  // first bin of every band, then the number of bins
+  const float* band_cosine; // of the angle from the pole at which each band ends
+  const float* band_begin;  // first bin of each band, then the number of bins
   std::uint32_t bands;
   float (*normals)[block_size]; // out: x, y, z
-  std::int32_t* bins;           // out; -1 where three points span no plane
+  std::int32_t* bins;           // out; -1 where the three points span no plane
 };
 
-/** Points that may be neighbours; coordinates as in Positions, arrays readable up to a multiple of block_size. */
+/** Potential neighbours; coordinates as in Positions, arrays readable up to a multiple of block_size. */
 struct Candidates
 {
   const float* base[3];
@@ -232,7 +232,7 @@ struct Candidates
   std::size_t count;
 };
 
-/** A point and what its neighbours must not be farther than. */
+/** A point and an upper bound on the squared distance of its neighbours. */
 struct CandidateQuery
 {
   float base[3];
@@ -240,17 +240,17 @@ struct CandidateQuery
   float sq_bound;
 };
 
-/** The inner loops, compiled for one instruction set. The results are the same, bit for bit, with every one of them. */
+/** The inner loops, compiled for one instruction set. The results are bit for bit the same with each of them. */
 struct Kernels
 {
   const char* name;
   void (*distance_weights) (const DistanceWeights& task, const BlockRows& rows);
   void (*filter_normals) (const NormalFilterStep& step, const BlockRows& rows);
   void (*update_points) (const PointUpdateStep& step, const BlockRows& rows);
-  void (*start_normals) (const NormalOfNodes& normals, const BlockRows& rows);
+  void (*start_normals) (const StartNormals& normals, const BlockRows& rows);
   void (*elect_normals) (const NormalVoteStep& step, const BlockRows& rows);
-  void (*count_others) (const OtherSheetTest& test, const BlockRows& rows);
-  void (*residual_variances) (const NumberOfNodes& variances, const BlockRows& rows);
+  void (*count_others) (const OtherSheetCount& task, const BlockRows& rows);
+  void (*residual_variances) (const QuadricResiduals& residuals, const BlockRows& rows);
   void (*project_points) (const QuadricProjection& projection, const BlockRows& rows);
   void (*fit_normals) (const QuadricFitStep& step, const BlockRows& rows);
   void (*step_risks) (const StepRisks& task, const BlockRows& rows);
@@ -260,13 +260,14 @@ struct Kernels
   void (*keep_apart) (const KeepApartStep& step, const BlockRows& rows);
   void (*find_far_rows) (const FarRowsStep& step, const BlockRows& rows);
   void (*vote_planes) (const PlaneVotes& votes);
-  /** The candidates within the bound: their numbers and squared distances. Both outputs have room for candidates.count
-    * and block_size more. */
+  /** Finds the candidates within the bound: their numbers and squared distances. Both outputs need room for
+    * candidates.count + block_size. */
   std::size_t (*select_near) (const Candidates& candidates,
                               const CandidateQuery& query,
                               float* sq_dists,
                               std::uint32_t* selected);
-  /** How many keys are smaller than each; whether all differ. Both arrays have room for block_size more. */
+  /** For each key, counts the smaller ones; returns whether all keys differ. Both arrays need room for count +
+    * block_size. */
   bool (*rank_keys) (const float* keys, std::size_t count, std::int32_t* ranks);
 };
 
@@ -274,8 +275,8 @@ struct Kernels
 const Kernels&
 kernels ();
 
-/** All that this processor can run, the best first; the last runs everywhere.
-  * \param[out] count how many */
+/** All kernels that this processor can run, the best first; the last runs everywhere.
+  * \param[out] count their number */
 const Kernels* const*
 allKernels (std::size_t& count);
 } // namespace core

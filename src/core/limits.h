@@ -7,13 +7,13 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** How many nodes of a row, itself counted, kernels and rounds look at: the first ones, the nearest. */
+/** Number of entries of a row, the node included, that kernels and rounds use: the first, which are the nearest. */
 constexpr std::size_t max_row_length = 32;
 
-/** Points that a quadric needs: one more than it has coefficients. */
+/** Points needed to fit a quadric: one more than its coefficients. */
 constexpr int min_fit_points = 7;
 
-/** Of the presets default and fast. */
+/** For the presets default and fast. */
 constexpr int max_rounds = 6;
 } // namespace core
 } // namespace pcl_normal_smoothing

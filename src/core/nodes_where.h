@@ -9,7 +9,7 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Those of so many nodes of which a condition holds, ascending. */
+/** The nodes below \a count that satisfy a condition, ascending. */
 template <typename Condition>
 std::vector<std::uint32_t>
 nodesWhere (std::size_t count, const Condition& holds)

@@ -20,7 +20,7 @@ constexpr std::size_t large_array = large_page / 2;
 void*
 mapPages (std::size_t bytes)
 {
-  // The system chooses an address at any small page: take a large page more, and give back what lies before and behind.
+  // mmap only aligns to small pages: map one large page more, and unmap what lies before and after.
   const std::size_t whole = (bytes + large_page - 1) / large_page * large_page;
   void* const taken = mmap (nullptr, whole + large_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (taken == MAP_FAILED)
@@ -30,7 +30,8 @@ mapPages (std::size_t bytes)
   munmap (begin, before);
   if (before < large_page)
     munmap (begin + before + whole, large_page - before);
-  madvise (begin + before, bytes / large_page * large_page, MADV_HUGEPAGE); // the rest would be as large for nothing
+  // A large page for the rest would waste memory.
+  madvise (begin + before, bytes / large_page * large_page, MADV_HUGEPAGE);
   return begin + before;
 }
 } // namespace

@@ -59,7 +59,7 @@ parallelFor (std::size_t size,
   std::ptrdiff_t chunks_reported = 0;
   std::atomic<bool> stop {false};
   std::exception_ptr failure;
-  // Threads without a chunk would only be started to wait.
+  // More threads than chunks would only wait.
   const int threads =
       static_cast<int> (std::max<std::ptrdiff_t> (1, std::min<std::ptrdiff_t> (execution.threads (), chunks)));
 

@@ -10,7 +10,7 @@ namespace core
 {
 namespace
 {
-/** \param[in,out] hash of what came before */
+/** \param[in,out] hash of the preceding coordinates */
 void
 mix (const Eigen::Vector3f& coordinates, std::uint32_t& hash)
 {
@@ -28,7 +28,7 @@ mix (const Eigen::Vector3f& coordinates, std::uint32_t& hash)
 bool
 hasOffsets (const Positions& positions)
 {
-  constexpr std::size_t chunk = 3 * 1024; // an end at once would keep the compiler from looking at many together
+  constexpr std::size_t chunk = 3 * 1024; // returning at the first hit would prevent vectorisation
   const float* const number = positions.offset.empty () ? nullptr : positions.offset.data ()->data ();
   const std::size_t count = 3 * positions.offset.size ();
   for (std::size_t begin = 0; begin < count; begin += chunk) {
@@ -61,7 +61,8 @@ hashOf (const Positions& positions, std::size_t i)
 {
   std::uint32_t hash = 2166136261u;
   mix (positions.base[i], hash);
-  if (positions.offset[i] != Eigen::Vector3f (0, 0, 0)) // in double, far from the origin, many points have one base
+  // Far from the origin, many points in double precision share a base.
+  if (positions.offset[i] != Eigen::Vector3f (0, 0, 0))
     mix (positions.offset[i], hash);
   return hash;
 }

@@ -8,7 +8,7 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The value that \a share of the others are below. \param[in] share at least 0, below 1 \return 0 of none */
+/** The value below which \a share of the values lie; 0 if there are none. \param[in] share at least 0, below 1 */
 inline float
 quantile (std::vector<float> values, double share)
 {

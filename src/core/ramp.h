@@ -7,7 +7,8 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** How far \a x is on the way from \a begin to \a begin + \a width: 0 before it, 1 beyond. \param[in] width above 0 */
+/** Rises linearly with \a x from 0 at \a begin to 1 at \a begin + \a width, constant outside. \param[in] width above
+  * 0 */
 template <typename Number>
 Number
 ramp (Number x, Number begin, Number width)

@@ -14,28 +14,31 @@ namespace core
 {
 namespace
 {
-// Beyond this many standard deviations of the noise no point has any business.
+// Upper bound on the displacement of a point, in standard deviations of the noise.
 constexpr float displacement_sigmas = 5;
-// Where no sheets are seen: what lies farther off is beside an edge, or on another side of a wall.
+// The sheet distance in sigmas if no sheets are seen: farther points are beyond an edge, or on another side of a wall.
 constexpr float sheet_sigmas = 4;
-// Where noise varies, no more than that for the sake of its largest.
+// Where noise varies, the largest noise may raise the distance to at most this many spacings.
 constexpr float sheet_spacings = 1.2f;
-// Where it varies by more, no distance tells sheets from noise everywhere.
+// If the largest noise exceeds the distance by more than this factor, no distance separates sheets from noise
+// everywhere: it is infinite.
 constexpr float most_over_sheets = 3;
-// Of the way to another sheet: a point of the own one too few is better than one of the other.
+// As a share of the gap; rather lose a point of the same sheet than keep one of the other.
 constexpr float share_of_gap = .36f;
-// The median height of a sheet's points, cut off towards the other sheet, is too small; and sigma had better be too
-// large.
+// The median height is cut off towards the other sheet, so it is too small; overestimating sigma does less harm.
 constexpr float sheet_noise_factor = 1.4f;
-// Noise as wide as the points are apart is estimated as .7 to .9 of what it is, .8 spacings at most. So from the first
-// ratio to the spacing on sigma is assumed to be larger, from the second on by the factor; at .7 that costs nothing.
+// Upper bound on the noise in rows without other sheets, over that before they were separated.
+constexpr float most_over_unseparated = 1.2f;
+// Noise as wide as the spacing is estimated as .7 to .9 of its true sigma, and as .8 spacings at most. So sigma is
+// raised from the first ratio to the spacing on, in full from the second; noise of .7, read in full, is smoothed as
+// well by that.
 constexpr float perhaps_wide = .67f;
 constexpr float as_if_wide = .74f;
 constexpr float underestimated_factor = 1.6f;
-// Of the noise: where sheets are told apart that nobody saw, less than this is not what noise leaves.
+// If separating sheets that no test saw leaves less than this share of the noise, they were layers, not sheets.
 constexpr float least_noise_left = .25f;
 
-/** What is given counts before what is estimated. */
+/** Given values take precedence over estimated ones. */
 NoiseEstimate
 knownNoise (const NoiseEstimate& estimated, const SmoothingOptions& options)
 {
@@ -44,7 +47,7 @@ knownNoise (const NoiseEstimate& estimated, const SmoothingOptions& options)
           options.noise_varies ? estimated.field : given.field};
 }
 
-/** The distance where no sheets are seen: above the noise everywhere. */
+/** The sheet distance if no sheets are seen: above the noise everywhere. */
 float
 distanceOfOneSheet (const NoiseEstimate& noise)
 {
@@ -53,7 +56,7 @@ distanceOfOneSheet (const NoiseEstimate& noise)
   return largest > most_over_sheets * distance ? std::numeric_limits<float>::infinity () : distance;
 }
 
-/** The noise has to be estimated. */
+/** Whether the noise has to be estimated. */
 bool
 needsNoise (const SmoothingOptions& options)
 {
@@ -61,14 +64,14 @@ needsNoise (const SmoothingOptions& options)
   return options.noise_varies || !(noise.sigma >= 0 && noise.spacing >= 0);
 }
 
-/** The distance of the sheets has to be estimated. */
+/** Whether the sheet distance has to be estimated. */
 bool
 needsSheets (const SmoothingOptions& options)
 {
   return options.rounds.sheet_distance < 0 && !options.rounds.oriented;
 }
 
-/** Nothing tells of a second sheet, and nobody says that there may be one. */
+/** Whether no second sheet is seen, and the options do not say that there may be one. */
 bool
 isOneSheet (const SheetDetection& detected, const SmoothingOptions& options)
 {
@@ -76,8 +79,8 @@ isOneSheet (const SheetDetection& detected, const SmoothingOptions& options)
          (needsSheets (options) || std::isinf (options.rounds.sheet_distance));
 }
 
-/** Sets the distance of the sheets where it is to be estimated.
-  * \param[in] may_be_one where none are seen, the preset fast does not look for other sheets: it costs time */
+/** Sets the sheet distance if it is to be estimated.
+  * \param[in] may_be_one if no sheets are seen, the preset fast does not look for any, which saves time */
 void
 setSheetDistance (const NoiseEstimate& known,
                   const SheetEstimate& sheets,
@@ -91,17 +94,18 @@ setSheetDistance (const NoiseEstimate& known,
     distance = rounds.fast && may_be_one ? std::numeric_limits<float>::infinity () : distanceOfOneSheet (known);
 }
 
-/** The estimate where the sheets were separated, from those before and after; that is nothing where too little is left
-  * to tell. */
+/** The noise after sheets were separated, from the estimates before and after; the latter is empty if too few points
+  * are left. */
 NoiseEstimate
 chooseNoise (const NoiseEstimate& before, const NoiseEstimate& separated, const SheetEstimate& sheets)
 {
-  const float of_rows = std::min (separated.sigma, 1.2f * before.sigma), of_sheets = sheet_noise_factor * sheets.sigma;
+  const float of_rows = std::min (separated.sigma, most_over_unseparated * before.sigma),
+              of_sheets = sheet_noise_factor * sheets.sigma;
   const float sigma = std::max (of_rows, of_sheets);
   return {sigma > 0 ? sigma : before.sigma, before.spacing, separated.spacing > 0 ? separated.field : before.field};
 }
 
-/** \return how large the noise of one sheet is assumed to be that is estimated to be so large */
+/** Raises the estimated noise of a single sheet where it is likely to be underestimated. */
 NoiseEstimate
 assumedNoise (NoiseEstimate estimated)
 {
@@ -110,7 +114,7 @@ assumedNoise (NoiseEstimate estimated)
   return estimated;
 }
 
-/** Sets whatever else is to be estimated. */
+/** Sets everything else that is to be estimated. */
 void
 setNoise (const NoiseEstimate& noise, SmoothingOptions& options)
 {

@@ -9,15 +9,15 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The order in which the noise and the sheets of a cloud are estimated, each from what was before, for a cloud that is
-  * seen as a whole or in tiles. */
+/** The order in which noise and sheets of a cloud are estimated, each from what is known before; for clouds
+  * processed as a whole and in tiles. */
 class SmoothingPreparation
 {
 public:
   virtual ~SmoothingPreparation () = default;
 
-  /** Sets what is to be estimated. Nothing changes for the paper's chain.
-    * \param[in,out] options that pass check; on return without anything to estimate; widen_neighborhoods is not read */
+  /** Sets everything that is to be estimated. Changes nothing for the paper's chain.
+    * \param[in,out] options that pass check; on return nothing is left to estimate; widen_neighborhoods is not read */
   void
   complete (SmoothingOptions& options);
 
@@ -25,42 +25,41 @@ public:
   static SheetSeparationOptions
   separation (const SmoothingOptions& options, const Vectors& normals);
 
-  /** Whether what was told apart is no sheets but the layers of coordinates in steps, as depth cameras give them: then
-    * all lies on one sheet.
-    * \param[in] before, separated the estimates before and after; sigma 0: too little is left to tell */
+  /** Whether what was separated is not sheets but the layers of coordinates in steps, as from depth cameras: then all
+    * points lie on one sheet.
+    * \param[in] before, separated the estimates before and after; an empty one (spacing 0) decides nothing */
   static bool
   areLayers (const NoiseEstimate& before, const NoiseEstimate& separated, const SheetEstimate& sheets);
 
 protected:
-  /** With neighbourhoods as they were searched. */
+  /** In neighbourhoods as they were searched. */
   virtual NoiseEstimate
   noiseBeforeSeparation () = 0;
 
   virtual SheetDetection
   sheets (const SheetScales& scales) = 0;
 
-  /** From now on neighbourhoods keep to one sheet. \return false: none changes, and noise by quadrics would be the
-    * same */
+  /** From now on neighbourhoods keep to one sheet. \return false if none changes, so that the noise estimate would
+    * be the same */
   virtual bool
   separate (const SmoothingOptions& options) = 0;
 
-  /** After separate. */
+  /** After a call of separate. */
   virtual NoiseEstimate
   separatedNoise () = 0;
 
-  /** Takes separate back. */
+  /** Undoes separate. */
   virtual void
   undoSeparation () = 0;
 
-  /** Neighbourhoods are as they were searched, and so show but a part of noise that is as wide as the points are
-    * apart. */
+  /** Whether neighbourhoods are as they were searched, and so show only a part of noise as wide as the spacing. */
   virtual bool
   underestimatesWideNoise () const
   {
     return true;
   }
 
-  /** Neighbourhoods reach over the gaps between the lines of a scan, and so over edges to what lies behind. */
+  /** Whether neighbourhoods reach over the gaps between scan lines, and hence over edges to what lies behind. */
   virtual bool
   reachOverGaps () const
   {
@@ -68,11 +67,11 @@ protected:
   }
 
 private:
-  /** Neighbourhoods keep to one sheet, unless what is told apart is layers.
-    * \param[in] before the noise as it is known so far
-    * \param[in] may_be_layers the sheets are estimated; what was told apart may be layers, which are joined again
-    * \param[in,out] options the distance of the sheets becomes infinite then
-    * \return the noise now; \a before where it is given, or nothing changes */
+  /** Makes neighbourhoods keep to one sheet, unless what is separated are layers.
+    * \param[in] before the noise as known so far
+    * \param[in] may_be_layers the sheets are estimated, so they may be layers, which are joined again
+    * \param[in,out] options in that case the sheet distance becomes infinite
+    * \return the noise now; \a before if that is given or nothing changes */
   NoiseEstimate
   keepToSheets (const NoiseEstimate& before,
                 const SheetEstimate& sheets,

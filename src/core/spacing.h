@@ -5,7 +5,7 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The usual distance between neighbouring points, in distances of the eighth nearest: sqrt (pi / 8). */
+/** The usual distance between neighbouring points over the distance of the eighth nearest: sqrt (pi / 8). */
 constexpr double spacing_of_eighth = 0.62665706865775;
 } // namespace core
 } // namespace pcl_normal_smoothing

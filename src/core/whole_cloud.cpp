@@ -12,24 +12,24 @@ namespace core
 {
 namespace
 {
-// Nearer than that they are layers of one wall that faces a depth camera.
+// Sheets nearer than this many steps are layers of a wall that faces a depth camera.
 constexpr float sheet_steps = 1.5f;
 
-/** Takes the noise to be larger where neighbourhoods grow with it. */
+/** Raises the noise where neighbourhoods grow because of it. */
 NoiseField
 largerWhereWide (NoiseField field, const WideNoise& wide)
 {
   for (RegionalField::Region& region : field.factors.regions)
-    if (wide.halvings.valueAt (region.centre, 0) >= .5f) // from there on they grow
+    if (wide.halvings.valueAt (region.centre, 0) >= .5f) // from this value on neighbourhoods grow
       region.value *= wide.excess;
   return field;
 }
 
-/** A cloud that is seen as a whole. */
+/** A cloud processed as a whole. */
 class WholeCloud : public SmoothingPreparation
 {
 public:
-  /** \param[in,out] surface kept, as everything else, while this is used */
+  /** \param[in,out] surface kept while this is used, like all arguments */
   WholeCloud (MovingSurface& surface, const Execution& execution, NeighborGraph::ConstPtr& graph)
   : positions_ (surface.positions)
   , normals_ (surface.normals)
@@ -38,7 +38,8 @@ public:
   , unseparated_ (graph)
   {}
 
-  /** \param[in] may_project false: points without a normal may not move, and opposite normals tell sheets apart
+  /** \param[in] may_project false if the normals are given: points without one may not move, and opposite normals
+    * separate sheets
     * \return whether neighbourhoods had to grow, or points to be projected */
   bool
   widen (bool may_project)
@@ -61,7 +62,7 @@ public:
     return widening_.hiddenBy ();
   }
 
-  /** See LayerEstimate. */
+  /** See LayerEstimate::are_of_camera. */
   bool
   isOfCamera () const
   {
@@ -132,7 +133,7 @@ private:
     return noise;
   }
 
-  /** From one layer to the next, or of coordinates; 0 where there is none. */
+  /** The largest step between layers or of rounded coordinates; 0 if there are none. */
   float
   largestStep () const
   {
@@ -144,8 +145,8 @@ private:
   const Vectors& normals_;
   const Execution& execution_;
   NeighborGraph::ConstPtr& graph_;
-  NeighborGraph::ConstPtr unseparated_; // before sheets were separated
-  Widening widening_;                   // of unseparated_
+  NeighborGraph::ConstPtr unseparated_; // the graph before sheets were separated
+  Widening widening_;                   // that of unseparated_
 };
 } // namespace
 

@@ -100,7 +100,7 @@ TEST_F (SmoothingParameters, ThePaperPresetIsThePapers)
   prepare (preset);
   preset.setKSearch (0);
   preset.setPreset (SmoothingPreset::PAPER);
-  prepare (by_hand); // DESIGN section 7
+  prepare (by_hand); // PGU7 of section III of the paper, with 5 normal and 7 point iterations
   by_hand.setKSearch (7);
   by_hand.setNormalSource (NormalSource::PCA);
   by_hand.setNormalWeight (NormalWeight::GAUSSIAN);

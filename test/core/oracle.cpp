@@ -26,7 +26,7 @@ gaussian (double x, double sigma)
   return std::exp (-x * x / (2 * sigma * sigma));
 }
 
-/** s of the design: -1 where the neighbour's normal counts with its opposite. */
+/** The sign s by which a neighbour's normal counts: -1 where it is flipped. */
 double
 flip (const Eigen::Vector3d& n_i, const Eigen::Vector3d& n_j, bool oriented)
 {

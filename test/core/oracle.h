@@ -6,8 +6,8 @@
 #include <pcl_normal_smoothing/core/chain/normal_filter.h>
 #include <pcl_normal_smoothing/core/chain/point_update.h>
 
-// The stages of the method in double, as the paper's equations read and the design settles them: no speed, no
-// cleverness, and no code shared with the library but its names of options.
+// The stages of the method in double, written straight from the paper's equations: no speed, no cleverness, and no code
+// shared with the library but its names of options.
 namespace test_support
 {
 using Points = std::vector<Eigen::Vector3d>;

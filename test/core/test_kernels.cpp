@@ -56,10 +56,10 @@ TEST_P (KernelsTest, SheetsAreTheSameForEveryInstructionSet)
     expectAllTheSame ([&] (const Kernels& kernels) {
       std::vector<float> elected = vectors (), others (nodes_.size (), -77);
       const NormalVoteStep vote {nodeArrays (nodes_, normals_), 200, agreement, elected.data ()};
-      const OtherSheetTest test {nodeArrays (nodes_, normals_), 0.001f, 0.09f, 0.7f, true, others.data ()};
+      const OtherSheetCount task {nodeArrays (nodes_, normals_), 0.001f, 0.09f, 0.7f, true, others.data ()};
       forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
         kernels.elect_normals (vote, rows);
-        kernels.count_others (test, rows);
+        kernels.count_others (task, rows);
       });
       EXPECT_TRUE (graph_->minRowLength () < 4 || *std::max_element (others.begin (), others.end ()) > 0);
       elected.insert (elected.end (), others.begin (), others.end ());
@@ -177,15 +177,15 @@ TEST_P (KernelsTest, StepsAreTheSameForEveryInstructionSet)
       Vectors proposed = nodes_.base; // in place: no lane may meet what another has taken
       const Numbers factors = factorsOfNodes ();
       const NodeArrays nodes = nodeArrays (nodes_, normals_);
-      const StepGain gain {.3f, first_round ? nullptr : factors.data ()};
+      const RiskLimit limit {.3f, first_round ? nullptr : factors.data ()};
       float* steps = proposed.data ()->data ();
       const auto run = [&] (const auto& kernel, const auto& task) {
         forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernel (task, rows); });
       };
-      run (kernels.step_risks, StepRisks {nodes, steps, moved.data (), gain, risks.data ()});
+      run (kernels.step_risks, StepRisks {nodes, steps, moved.data (), limit, risks.data ()});
       run (kernels.averaging_weights, AveragingWeights {nodes, false, weights.data ()});
       run (kernels.average_risks, RiskAverages {weights.data (), risks.data (), averaged.data ()});
-      run (kernels.take_steps, StepsToTake {nodes, nullptr, steps, averaged.data (), gain, .4f,
+      run (kernels.take_steps, StepsToTake {nodes, nullptr, steps, averaged.data (), limit, .4f,
                                             first_round ? nullptr : moved.data (), steps});
       std::vector<float> result (moved.begin (), moved.end ());
       for (const auto& offset : proposed)
@@ -221,7 +221,7 @@ TEST_P (KernelsTest, TheWayAlongTheNormalIsAddedUpFromTheSecondRoundOn)
     steps.nodes = nodeArrays (nodes_, normals_);
     steps.proposed = proposed.data ()->data ();
     steps.risks = risks.data ();
-    steps.gain.usual = 10; // more than any risk: whole steps
+    steps.limit.usual = 10; // more than any risk: whole steps
     steps.max_displacement = infinity;
     steps.moved = first_round ? nullptr : moved.data ();
     steps.taken = taken.data ()->data ();

@@ -11,7 +11,8 @@ namespace tools
 {
 using Json = nlohmann::ordered_json;
 
-/** Every number of the options, to the bit. */
+/** Every number of the options, to the bit; except rounds.along_rays, which only widening sets, and tiles do not
+  * widen. */
 Json
 optionsAsJson (const core::SmoothingOptions& options);
 

@@ -7,8 +7,8 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** How many nodes make a block of NeighborGraph, and how many triples of points vote at once: what a kernel is called
-  * for. The lanes of every instruction set divide it. */
+/** Number of nodes in a block of NeighborGraph, and of triples of points that vote together: the work of one kernel
+  * call. A multiple of every instruction set's number of lanes. */
 constexpr std::size_t block_size = 16;
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -8,7 +8,7 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** What was asked for cannot be done: the message names the value and what to do instead. */
+/** A request cannot be met: the message names the value and what to do instead. */
 struct Error : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -20,7 +20,7 @@ struct Cancelled : std::runtime_error
   Cancelled () : std::runtime_error ("cancelled by the progress callback") {}
 };
 
-/** A number for messages: short, and not "0.000000" for what is small. */
+/** A number for messages: short, and without rounding small values to "0.000000". */
 std::string
 numberText (double number);
 } // namespace core

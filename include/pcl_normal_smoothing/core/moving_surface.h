@@ -12,12 +12,12 @@ namespace core
 /** The nodes of a cloud while they move. */
 struct MovingSurface
 {
-  /** \param[in] their_normals where they are not to be estimated */
+  /** \param[in] their_normals if these are not to be estimated */
   explicit MovingSurface (Positions nodes, Vectors their_normals = {})
   : positions (std::move (nodes)), normals (std::move (their_normals)), start (startOf (positions))
   {}
 
-  /** How far the nodes have moved. */
+  /** The displacements of the nodes so far. */
   Vectors
   displacements () const
   {
@@ -26,9 +26,9 @@ struct MovingSurface
 
   /** Only the offsets change. */
   Positions positions;
-  /** Length 1, or NaN: none. */
+  /** Unit length; NaN: none. */
   Vectors normals;
-  /** Where the nodes began, as startOf tells it. A limit of displacements counts from here. */
+  /** Initial offsets of the nodes, as returned by startOf. The maximal displacement counts from here. */
   Vectors start;
 };
 } // namespace core

@@ -10,18 +10,19 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Memory for an array, aligned as that of operator new. From a megabyte on it is the system's own, not the heap's: in
-  * pages of two megabytes where there are such, of which it has to be asked for fewer, and the processor finds more at
-  * once; and nothing of it stays behind.
-  * \throw std::bad_alloc where there is none */
+/** Memory for an array, aligned like that of operator new. From a megabyte on it is mapped from the system instead of
+  * the heap, in pages of two megabytes if available: fewer have to be requested, and the processor keeps track of more
+  * memory; and all of it is given back.
+  * \throw std::bad_alloc if there is none */
 void*
 allocateBytes (std::size_t bytes);
 
-/** \param[in] bytes as allocateBytes was asked for */
+/** \param[in] bytes as given to allocateBytes */
 void
 freeBytes (void* data, std::size_t bytes);
 
-/** Allocates some bytes more: kernels read vectors of two or three floats four at a time. vector (n) holds no zeros. */
+/** Allocates a few bytes more, as kernels read vectors of two or three floats four at a time. vector (n) is not
+  * zeroed. */
 template <typename T>
 struct PaddedAllocator
 {
@@ -40,8 +41,7 @@ struct PaddedAllocator
     return static_cast<T*> (allocateBytes (bytes (size)));
   }
 
-  /** Leaves numbers undefined where no value is given: the threads that write them first get the pages to
-    * themselves. */
+  /** Leaves numbers uninitialised if no value is given: pages then belong to the threads that first write to them. */
   template <typename U>
   void
   construct (U* place)

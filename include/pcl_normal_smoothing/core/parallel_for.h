@@ -6,30 +6,30 @@
 
 namespace pcl_normal_smoothing
 {
-/** Called now and then with the share of the work that is done, 0 to 1, never falling, from the thread that started
-  * the work. Return false to cancel. */
+/** Called now and then with the share of the work done, 0 to 1, never falling, from the thread that started the
+  * work. Return false to cancel. */
 using ProgressCallback = std::function<bool (double)>;
 
 namespace core
 {
-/** How a stage runs: its threads, and which part of the whole progress it reports. */
+/** How a stage runs: its threads, and the part of the overall progress that it reports. */
 class Execution
 {
 public:
-  /** \param[in] threads number of threads, 0 = all cores
+  /** \param[in] threads number of threads, 0: all cores
     * \param[in] progress may be empty */
   explicit Execution (unsigned threads = 0, ProgressCallback progress = {});
 
-  /** The same threads and callback, reporting between \a from and \a to of \a of parts of this execution's range. */
+  /** The same threads and callback, reporting the range from \a from to \a to, of \a of, within this execution's
+    * range. */
   Execution
   part (double from, double to, double of = 1) const;
 
-  /** The same threads, reporting where this begins, again and again: for steps whose number nobody knows, so that they
-    * can be cancelled. */
+  /** The same threads, always reporting the start of the range: lets an unknown number of steps be cancelled. */
   Execution
   still () const;
 
-  /** The same threads, reporting nothing: for steps that take no time to speak of. */
+  /** The same threads, reporting nothing: for steps that take hardly any time. */
   Execution
   silent () const;
 
@@ -52,8 +52,8 @@ private:
 };
 
 /** Calls \a body (begin, end) for ranges of at most \a chunk elements that cover [0, size), on all threads.
-  * The one place that knows of OpenMP. An exception of the body ends the loop and is thrown to the caller.
-  * Results do not depend on the number of threads as long as the body writes the elements of its own range only. */
+  * The only place that uses OpenMP. An exception of the body ends the loop and is rethrown to the caller.
+  * Results do not depend on the number of threads if the body writes only to elements of its own range. */
 void
 parallelFor (std::size_t size,
              const Execution& execution,

@@ -14,11 +14,11 @@ namespace core
 {
 using Vectors = PaddedVector<Eigen::Vector3f>;
 using Numbers = PaddedVector<float>;
-/** Which points of a cloud, by their numbers. */
+/** A selection of points of a cloud, by their numbers. */
 using Elements = PaddedVector<std::uint32_t>;
 
-/** Summed as FLANN and the kd-tree do: Eigen's squaredNorm rounds otherwise, and near ties would stand in another
-  * order. */
+/** Sums in the same order as FLANN and the kd-tree: Eigen's squaredNorm rounds differently, which could change the
+  * order of near ties. */
 inline float
 squaredLength (const Eigen::Vector3f& difference)
 {
@@ -27,15 +27,15 @@ squaredLength (const Eigen::Vector3f& difference)
 
 /** Points as unevaluated sums base + offset.
   *
-  * The base is the input in float, the offset what is added to it: the rest of an input in double, and the
-  * displacement. A difference is taken base from base first, which is exact for neighbours however far they lie from
-  * the origin; so a cloud at UTM coordinates is smoothed as if it lay at the origin, and in float. */
+  * The base is the input in float; the offset is added to it: the remainder of an input in double, and the
+  * displacement. Differences subtract the bases first, which is exact for neighbours however far they lie from the
+  * origin; so a cloud at UTM coordinates is smoothed in float as if it lay at the origin. */
 struct Positions
 {
   Vectors base;
   Vectors offset;
-  /** What stands here, times this, is in the cloud's unit. A power of two, so that nothing is rounded: kernels take
-    * fourth powers of lengths in float, and a cloud measured in 1e-30 or 1e30 is read in another unit. */
+  /** Lengths times this are in the cloud's unit. A power of two, so that nothing is rounded: kernels compute fourth
+    * powers of lengths in float, so a cloud measured in 1e-30 or 1e30 is converted to another unit. */
   double unit = 1;
 
   std::size_t
@@ -44,7 +44,7 @@ struct Positions
     return base.size ();
   }
 
-  /** p_i in the cloud's unit, as near as float comes. */
+  /** p_i in the cloud's unit, rounded to float. */
   Eigen::Vector3f
   inCloudUnit (std::size_t i) const
   {
@@ -60,23 +60,23 @@ struct Positions
   }
 };
 
-/** Whether an offset is not zero; those of a cloud in float are, until it moves. */
+/** Whether any offset is not zero; those of a cloud in float are all zero until it moves. */
 bool
 hasOffsets (const Positions& positions);
 
-/** The offsets of points that are about to move; empty where all are zero. */
+/** The offsets of points that are about to move; empty if all are zero. */
 Vectors
 startOf (const Positions& positions);
 
-/** How far the points have moved since \a start, which startOf told. */
+/** The displacements of points since \a start, as returned by startOf. */
 Vectors
 displacements (const Vectors& start, const Positions& positions);
 
-/** A hash of one point's coordinates, uniform over 32 bits, whatever the order of the points. */
+/** A hash of one point's coordinates, uniform over 32 bits, independent of the order of the points. */
 std::uint32_t
 hashOf (const Positions& positions, std::size_t i);
 
-/** A list of points, every \a stride-th number of an array. */
+/** A list of points: every \a stride-th number of an array. */
 class Row
 {
 public:
@@ -130,7 +130,7 @@ public:
     return base_;
   }
 
-  /** What p_i is besides. */
+  /** The rest of p_i, beyond float. */
   const Eigen::Vector3f&
   offset () const
   {

@@ -26,8 +26,8 @@ enum class UpdateRule
   /** Eq. 8 of Valdivia et al. 2013. Every term is n_j.(p_j - p_i): on a sphere of radius R, at the angle a, that is
     * R (1 - cos a) > 0 for all neighbours, so curved surfaces inflate with every iteration. */
   PAPER,
-  /** Eq. 8 along the mean of both normals, m.(p_j - p_i) with m = (n_i + s n_j) / 2. A chord of a sphere is at a right
-    * angle to the mean of the normals at its ends, so the term vanishes there, and nothing drifts. */
+  /** Eq. 8 along the mean of both normals, m.(p_j - p_i) with m = (n_i + s n_j) / 2. A chord of a sphere is
+    * perpendicular to the mean of the normals at its ends, so the term vanishes there, and nothing drifts. */
   COMPENSATED
 };
 } // namespace pcl_normal_smoothing

@@ -8,8 +8,8 @@
 
 namespace pcl_normal_smoothing
 {
-/** Where a filter reads normals: \a normals if it is set, or else the points' own.
-  * \throw core::Error where there are none, or not one for every point */
+/** The source of a filter's normals: \a normals if set, or else the points' own.
+  * \throw core::Error if there are none, or not one for every point */
 template <typename PointT>
 VectorView
 chooseNormals (const pcl::PointCloud<PointT>& cloud, const pcl::PointCloud<pcl::Normal>::ConstPtr& normals)

@@ -19,14 +19,13 @@ pointSearch (const typename pcl::search::Search<PointT>::Ptr& search,
              const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
              const core::NeighborQuery& query)
 {
-  // is_dense of users is often wrong, and a cloud may have changed behind its pointer: hand the finite points over
-  // anew.
+  // A user's is_dense is often wrong, and the cloud may have changed since: pass the finite points explicitly.
   auto finite = pcl::make_shared<pcl::Indices> ();
   for (std::size_t i = 0; i < cloud->size (); ++i)
     if (pcl::isXYZFinite ((*cloud)[i]))
       finite->push_back (static_cast<pcl::index_t> (i));
   const bool all = finite->size () == cloud->size ();
-  // Never more than there are: k may be absurd, and the vectors are made that long beforehand.
+  // At most the number of points: k may be absurdly large, and vectors of that size are allocated.
   const std::size_t k = std::min<std::size_t> (query.k, finite->size ());
   search->setInputCloud (cloud, all ? pcl::IndicesConstPtr () : finite);
   const auto* organized = dynamic_cast<const pcl::search::OrganizedNeighbor<PointT>*> (search.get ());

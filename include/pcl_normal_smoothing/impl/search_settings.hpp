@@ -31,7 +31,7 @@ core::SearchAgain
 SearchSettings<PointT>::makeSearchAgain (const NeighborGraph::ConstPtr& graph,
                                          const std::function<SearchCloudConstPtr ()>& cloud) const
 {
-  if (neighbor_graph_ && k_ == 0 && radius_ == 0) // how the graph was searched it does not say
+  if (neighbor_graph_ && k_ == 0 && radius_ == 0) // the graph does not say how it was searched
     throw core::Error ("a neighbour graph and a search interval are set, but neither k nor a radius to search anew by: "
                        "call setKSearch or setRadiusSearch, or setSearchInterval (0)");
   const core::NeighborQuery query = makeQuery ();

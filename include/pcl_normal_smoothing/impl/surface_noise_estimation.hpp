@@ -14,7 +14,7 @@ typename pcl::PointCloud<PointT>::ConstPtr
 SurfaceNoiseEstimation<PointT>::indexedPoints () const
 {
   const std::vector<bool> selected = selectPoints (*this->indices_, this->input_->size ());
-  std::size_t left_out = 0; // those that are not finite do not count anyway
+  std::size_t left_out = 0; // points that are not finite do not count anyway
   for (std::size_t i = 0; i < selected.size (); ++i)
     left_out += !selected[i] && pcl::isXYZFinite ((*this->input_)[i]);
   if (left_out == 0)

@@ -18,15 +18,15 @@ namespace core
 namespace
 {
 constexpr auto pi = static_cast<float> (M_PI);
-constexpr float least_tolerance = 0.001f; // at which some million triples are drawn for a point
+constexpr float least_tolerance = 0.001f; // at this, some million triples are drawn per point
 
-// More triples than this are not listed: few of them would be drawn twice.
+// Triples are listed up to this number: among more, few would be drawn twice.
 constexpr std::size_t most_listed = 1u << 16;
 
 using RowMajorMatrix = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 using Triple = std::array<std::uint32_t, 3>;
 
-/** SplitMix64 (Steele et al. 2014): a stream of its own for every point, begun from its coordinates. */
+/** SplitMix64 (Steele et al. 2014): one stream per point, seeded from its coordinates. */
 class RandomStream
 {
 public:
@@ -34,7 +34,7 @@ public:
   RandomStream (std::uint64_t seed, const Eigen::Vector3f& base, const Eigen::Vector3f& offset) : state_ (seed)
   {
     mix (base);
-    if (offset != Eigen::Vector3f (0, 0, 0)) // in double, far from the origin, many points have one base
+    if (offset != Eigen::Vector3f (0, 0, 0)) // far from the origin, many points in double precision share a base
       mix (offset);
   }
 
@@ -60,7 +60,7 @@ private:
   mix (const Eigen::Vector3f& coordinates)
   {
     for (int d = 0; d < 3; ++d) {
-      const float coordinate = coordinates[d] + 0.0f; // -0 begins the same stream as 0
+      const float coordinate = coordinates[d] + 0.0f; // -0 starts the same stream as 0
       std::uint32_t bits;
       std::memcpy (&bits, &coordinate, sizeof bits);
       state_ = next () ^ bits;
@@ -77,7 +77,7 @@ randomRotations (int count, std::uint64_t seed)
   const auto symmetric = [&] { return static_cast<float> (random.next () >> 40) / (1u << 23) - 1.0f; };
   std::vector<RowMajorMatrix> rotations;
   while (rotations.size () < static_cast<std::size_t> (count)) {
-    // A point of the unit ball in four dimensions is a uniform rotation once it is normalised.
+    // A point of the four-dimensional unit ball, normalised, is a uniformly distributed rotation.
     const float w = symmetric (), x = symmetric (), y = symmetric (), z = symmetric ();
     const Eigen::Quaternionf quaternion (w, x, y, z);
     if (quaternion.squaredNorm () > 0.01f && quaternion.squaredNorm () < 1)
@@ -95,8 +95,8 @@ check (bool valid, const std::string& what, double value, const std::string& ran
 }
 } // namespace
 
-/** Triples of neighbours in random order. Where there are at most \a max of them, and not too many to be listed, none
-  * comes twice between two restarts. */
+/** Triples of neighbours in random order. If there are at most \a max of them, and at most most_listed, none is
+  * repeated between restarts. */
 class HoughEstimator::TripleSource
 {
 public:
@@ -110,14 +110,14 @@ public:
           listed_.push_back ({a, b, c});
   }
 
-  /** How many triples one accumulator may have of the \a share that it would draw. */
+  /** Number of triples for one accumulator: its \a share, or all there are if they are listed and fewer. */
   std::size_t
   limit (std::size_t share) const
   {
     return listed_.empty () ? share : std::min (share, listed_.size ());
   }
 
-  /** For another accumulator: all may come again. */
+  /** For the next accumulator: all triples may be drawn again. */
   void
   restart ()
   {
@@ -127,7 +127,7 @@ public:
   Triple
   next ()
   {
-    if (!listed_.empty ()) { // Fisher-Yates, as far as it is needed: limit () triples at most
+    if (!listed_.empty ()) { // a partial Fisher-Yates shuffle, called at most limit () times
       const std::size_t i = drawn_++;
       std::swap (listed_[i], listed_[i + random_.below (static_cast<std::uint32_t> (listed_.size () - i))]);
       return listed_[i];
@@ -172,7 +172,7 @@ HoughEstimator::HoughEstimator (const HoughOptions& options) : options_ (options
   rotations_ = randomRotations (options.rotations, options.seed);
 }
 
-/** Who leads, and by how much. */
+/** The leading bin, and the votes of the second. */
 struct HoughEstimator::Ballot
 {
   std::size_t best = 0;
@@ -191,7 +191,8 @@ struct HoughEstimator::Ballot
       second_votes = std::max (second_votes, votes);
   }
 
-  /** The confidence intervals of the first two bins do not meet: their shares differ by 2 sqrt (1 / T). */
+  /** Whether the confidence intervals of the first two bins are disjoint: their shares differ by 2 sqrt (1 / T),
+    * with T triples drawn. */
   bool
   isDecided (const std::vector<Bin>& bins, std::size_t drawn) const
   {
@@ -212,7 +213,8 @@ HoughEstimator::estimate (const Neighborhood& neighborhood) const
     points.push_back (neighborhood[j]);
     farthest = std::max (farthest, points.back ().lpNorm<Eigen::Infinity> ());
   }
-  const float scale = std::ldexp (1.0f, -std::clamp (std::ilogb (farthest), -100, 100)); // the votes take fourth powers
+  // The votes compute fourth powers.
+  const float scale = std::ldexp (1.0f, -std::clamp (std::ilogb (farthest), -100, 100));
   for (Eigen::Vector3f& point : points)
     point *= scale;
   TripleSource triples (static_cast<std::uint32_t> (points.size ()), max_triples_,

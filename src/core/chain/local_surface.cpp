@@ -12,10 +12,10 @@ namespace core
 {
 namespace
 {
-// Share of the middle eigenvalue below which the points lie on a line, and any normal across it would do.
+// Below this share of the trace in the middle eigenvalue, points lie on a line, and any normal across it would fit.
 constexpr double collinear = 1e-10;
 
-/** Sums of weighted points, enough for a covariance about their centroid. */
+/** Sums over weighted points, sufficient for the covariance about their centroid. */
 class Moments
 {
 public:
@@ -30,7 +30,8 @@ public:
   LocalSurface
   surface () const
   {
-    // Differences to the point are of the size of the neighbourhood: in double, subtracting the mean loses nothing.
+    // Coordinates relative to the point are as small as the neighbourhood: in double, subtracting the mean loses
+    // nothing.
     const Eigen::Matrix3d covariance = outer_ / weight_ - sum_ * sum_.transpose () / (weight_ * weight_);
     const double scale = covariance.trace ();
     if (!(scale > 0) || !std::isfinite (scale))

@@ -41,7 +41,7 @@ makeEstimator (NormalSource source, const HoughOptions& hough)
 
 namespace
 {
-/** Calls \a use (node, its surface) for all nodes, from all threads. */
+/** Calls \a use (node, its surface) for all nodes, in parallel. */
 template <typename Use>
 void
 forEachSurface (const NeighborGraph& graph,

@@ -9,7 +9,7 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** The neighbours of the lanes' neighbours: each row of its own length. */
+/** The rows of the lanes' neighbours, each with its own length. */
 class NextRows
 {
 public:
@@ -22,8 +22,8 @@ public:
     }
   }
 
-  /** \param[out] index the neighbours at these ranks \param[out] there the ranks, from 1 to that of the last
-    * neighbour */
+  /** \param[out] index the neighbours at the given ranks plus \a offset \param[out] there those ranks, clamped to
+    * the range from 1 to the last neighbour's */
   LANES_INLINE void
   at (const std::int32_t* ranks, std::int32_t offset, std::uint32_t* index, std::int32_t* there) const
   {
@@ -39,12 +39,14 @@ private:
   std::int32_t last_[lane_count];
 };
 
-/** The ranks of what stands in the lanes' far rows: see core/rounds/far_rows.h. A node is never its own neighbour,
-  * which kernels expect at the end of a row alone. */
+/** Writes the ranks that make up the lanes' far rows (see core/rounds/far_rows.h). A node occurs in its own row only
+  * as padding at the end, which the kernels rely on. */
 LANES_INLINE void
 findFarRows (const FarRowsStep& step, const BlockRows& rows, int first)
 {
-  constexpr std::int32_t rank_window = 2; // the way on is about as long as that to the neighbour, and so is its rank
+  // The continuation is about as long as the step to the neighbour, so its rank there is similar: try ranks at most 2
+  // off.
+  constexpr std::int32_t rank_window = 2;
   const std::uint32_t* own = rows.neighbors + first;
   const Points points (step.nodes.base, step.nodes.offset, own);
   const std::size_t block = own[0] / block_size;

@@ -30,8 +30,8 @@ using BlockKernel = void (*) (const Arguments&, const BlockRows&);
 constexpr int lanes_of_block = block_size;
 static_assert (lanes_of_block % lane_count == 0);
 
-/** Runs a kernel on all lanes of a block that hold a node of their own: those behind the last node repeat it, and a
-  * kernel that works in place must not meet its own result. */
+/** Runs a kernel on all lanes of a block that hold a node of their own: the lanes beyond the last node repeat it,
+  * and a kernel that works in place must not process its own result. */
 template <typename Arguments, LanesKernel<Arguments> kernel>
 void
 onBlock (const Arguments& arguments, const BlockRows& rows)
@@ -41,7 +41,7 @@ onBlock (const Arguments& arguments, const BlockRows& rows)
     kernel (arguments, rows, first);
 }
 
-/** Whether all nodes of a block have as many neighbours. */
+/** Whether all nodes of a block have the same number of neighbours. */
 bool
 rowsAreFull (const BlockRows& rows)
 {
@@ -76,7 +76,8 @@ updatePointsOfBlock (const PointUpdateStep& step, const BlockRows& rows)
     onBlock<PointUpdateStep, updatePoints<UpdateKind::PAPER, complete>> (step, rows);
 }
 
-/** The \a complete kernel where all nodes have normals and the block's rows no gaps, else that which looks for them. */
+/** Runs the \a complete kernel where all nodes have normals and the block's rows no gaps, otherwise \a any, which
+  * checks for both. */
 template <typename Step, BlockKernel<Step> complete, BlockKernel<Step> any>
 void
 whereComplete (const Step& step, const BlockRows& rows)
@@ -115,10 +116,10 @@ const Kernels table = {PCL_NORMAL_SMOOTHING_NAME (PCL_NORMAL_SMOOTHING_ISA),
                        onBlock<DistanceWeights, distanceWeights>,
                        whereComplete<NormalFilterStep, filterNormalsOfBlock<true>, filterNormalsOfBlock<false>>,
                        whereComplete<PointUpdateStep, updatePointsOfBlock<true>, updatePointsOfBlock<false>>,
-                       onBlock<NormalOfNodes, startNormals>,
+                       onBlock<StartNormals, startNormals>,
                        onBlock<NormalVoteStep, electNormals>,
-                       onBlock<OtherSheetTest, countOthers>,
-                       onBlock<NumberOfNodes, residualVariances>,
+                       onBlock<OtherSheetCount, countOthers>,
+                       onBlock<QuadricResiduals, residualVariances>,
                        onBlock<QuadricProjection, projectPoints>,
                        onBlock<QuadricFitStep, fitNormals>,
                        onBlock<StepRisks, stepRisks>,

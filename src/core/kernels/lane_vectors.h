@@ -11,7 +11,7 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-// Of every four lanes: two of a, two of b, as they are numbered within the four (b from 4 on).
+// Within every four lanes: lanes p, q of a, then r, s of b; a's are numbered 0-3, b's 4-7.
 #if defined(__AVX512F__)
 #define LANES_SHUFFLE(a, b, p, q, r, s)                                                                            \
   __builtin_shufflevector (a, b, p, q, r + 12, s + 12, p + 4, q + 4, r + 16, s + 16, p + 8, q + 8, r + 20, s + 20, \
@@ -22,12 +22,12 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 #define LANES_SHUFFLE(a, b, p, q, r, s) __builtin_shufflevector (a, b, p, q, r, s)
 #endif
 
-/** Vectors of two or three floats, taken apart: four numbers of each are read, whatever they are, and transposed. That
-  * costs half of what gathering single numbers does. */
+/** Transposes vectors of two or three floats: reads four floats from each start, whatever the last ones are. That
+  * takes half the time of gathering single floats. */
 class Transposition
 {
 public:
-  /** Vectors \a row * 4 and the three after it. */
+  /** Reads vectors 4 * \a row to 4 * \a row + 3. */
   template <int row>
   LANES_INLINE void
   put (const float* vectors, const std::size_t (&begin)[4])
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  /** From memory straight to its place: compilers put a shuffle and a copy between. */
+  /** Loads from memory straight into place: compilers would insert a shuffle and a copy. */
   template <int row>
   LANES_INLINE static void
   insert (Lanes& fours, const float* from)
@@ -71,11 +71,11 @@ private:
 #endif
   }
 
-  Lanes a_, b_, c_, d_; // the first of every four vectors, the second ones ...
+  Lanes a_, b_, c_, d_; // the first of every four vectors, the second, and so on
 };
 
-/** Puts the vectors that \a index names, of each of some arrays, to its transposition: an index is read once for
-  * all. */
+/** Loads the vectors named by \a index from each array into its transposition. All arrays in one call, so that every
+  * index is read once. */
 template <int dimension, int row = 0, typename... Pairs>
 LANES_INLINE void
 transpose (const std::uint32_t* index, Pairs&&... pairs)
@@ -94,7 +94,7 @@ struct Transposed
   Transposition& to;
 };
 
-/** The vectors of three floats that \a index names. Reads four bytes past each. */
+/** The vectors of three floats named by \a index. Reads four bytes past each. */
 LANES_INLINE Lanes3
 load3 (const float* vectors, const std::uint32_t* index)
 {
@@ -103,14 +103,14 @@ load3 (const float* vectors, const std::uint32_t* index)
   return of_vectors.three ();
 }
 
-/** As above; zeros where there are no vectors. */
+/** As above; zeros if \a vectors is null. */
 LANES_INLINE Lanes3
 load3OrZero (const float* vectors, const std::uint32_t* index)
 {
   return vectors != nullptr ? load3 (vectors, index) : Lanes3 {};
 }
 
-/** The vectors of two floats that \a index names. Reads eight bytes past each. */
+/** The vectors of two floats named by \a index. Reads eight bytes past each. */
 LANES_INLINE Lanes2
 load2 (const float* vectors, const std::uint32_t* index)
 {
@@ -119,7 +119,7 @@ load2 (const float* vectors, const std::uint32_t* index)
   return of_vectors.two ();
 }
 
-/** The numbers that \a index names. */
+/** The numbers named by \a index. */
 LANES_INLINE Lanes
 load1 (const float* numbers, const std::uint32_t* index)
 {
@@ -129,14 +129,14 @@ load1 (const float* numbers, const std::uint32_t* index)
   return value;
 }
 
-/** As above; ones where there are no numbers. */
+/** As above; ones if \a numbers is null. */
 LANES_INLINE Lanes
 load1OrOne (const float* numbers, const std::uint32_t* index)
 {
   return numbers != nullptr ? load1 (numbers, index) : splat (1);
 }
 
-/** As load3, but reads nothing past them: where another thread may be writing. */
+/** As load3, but reads nothing past the vectors: for arrays that another thread may be writing. */
 LANES_INLINE Lanes3
 load3Alone (const float* vectors, const std::uint32_t* index)
 {
@@ -178,7 +178,7 @@ store1 (float* numbers, const std::uint32_t* index, Lanes value)
     numbers[index[lane]] = value[lane];
 }
 
-/** The points p = base + offset of a block's lanes, and the way from them to others. */
+/** The points p = base + offset of a block's lanes, and the differences from them to other points. */
 class Points
 {
 public:
@@ -199,7 +199,7 @@ public:
     return (base.three () - own_base_) + (offset.three () - own_offset_);
   }
 
-  /** \param[out] vector that \a index names among \a vectors */
+  /** \param[out] vector those named by \a index among \a vectors */
   LANES_INLINE Lanes3
   difference (const std::uint32_t* index, const float* vectors, Lanes3& vector) const
   {
@@ -221,11 +221,11 @@ private:
   Lanes3 own_offset_;
 };
 
-/** For isOther: whatever the neighbour, it is another. */
+/** Passed to isOther as the node itself: then every neighbour counts as another. */
 constexpr std::uint32_t no_nodes[block_size] = {~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u,
                                                 ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u};
 
-/** Ones in the lanes whose neighbour is not the node itself: a row that is shorter than its block's repeats the
+/** All ones in the lanes whose neighbour is not the node itself: a row shorter than its block's is padded with the
   * node. */
 LANES_INLINE Mask
 isOther (const std::uint32_t* neighbor, const std::uint32_t* own)

@@ -9,9 +9,9 @@
 #include <immintrin.h>
 #endif
 
-// Files that include this are compiled once for every instruction set, each into a namespace of its own. They hold
-// plain arithmetic on arrays and nothing of Eigen or the standard library, so that no code for a newer machine leaks
-// into functions that all share.
+// Files that include this are compiled once per instruction set, each time into a different namespace. They use plain
+// arithmetic on arrays and nothing from Eigen or the standard library, so that no code for a newer machine leaks into
+// functions shared by all.
 #ifndef PCL_NORMAL_SMOOTHING_ISA
 #error "compile the kernels with PCL_NORMAL_SMOOTHING_ISA set to a namespace"
 #endif
@@ -33,15 +33,16 @@ constexpr int lane_count = 8;
 constexpr int lane_count = 4;
 #endif
 
-/** One number of several points, a point a lane. Every lane does what a scalar would, so the result does not depend on
-  * the number of lanes. Comparisons give a Mask, and mask ? a : b chooses lane by lane. */
+/** One number of several points, one point per lane. Every lane computes what a scalar would, so the result does not
+  * depend on the number of lanes. Comparisons give a Mask, and mask ? a : b chooses lane by lane. */
 typedef float Lanes __attribute__ ((vector_size (4 * lane_count)));
 typedef std::int32_t Mask __attribute__ ((vector_size (4 * lane_count)));
 typedef std::uint8_t Bytes __attribute__ ((vector_size (lane_count)));
 typedef std::uint16_t Shorts __attribute__ ((vector_size (2 * lane_count)));
 constexpr float max_short = 65535;
 
-/** Copied number by number: a compiler that copies it as memory, in pieces, has the processor wait for each. */
+/** Copied member by member: some compilers copy it as memory in smaller pieces, and the later vector load stalls on
+  * them. */
 struct Lanes3
 {
   Lanes x, y, z;
@@ -70,7 +71,7 @@ struct Lanes2
 LANES_INLINE Lanes
 splat (float value)
 {
-  return value - Lanes {}; // value + 0 would be computed, for the sake of -0
+  return value - Lanes {}; // value + 0 would not be optimised away, because of -0
 }
 
 template <typename T>
@@ -88,7 +89,7 @@ store (float* to, Lanes value)
   std::memcpy (to, &value, sizeof value);
 }
 
-/** Numbers of at least 0, and at most max_short, to the nearest integer below. */
+/** Truncates numbers from 0 to max_short to integers. */
 LANES_INLINE void
 storeShorts (std::uint16_t* to, Lanes value)
 {
@@ -102,18 +103,19 @@ loadShorts (const std::uint16_t* from)
   return __builtin_convertvector(__builtin_convertvector(load<Shorts> (from), Mask), Lanes);
 }
 
-/** a < b ? a : b; so b where one is NaN */
+/** a < b ? a : b; hence b if either is NaN */
 LANES_INLINE Lanes
 minimum (Lanes a, Lanes b)
 {
-#if defined(__AVX512F__) // gcc makes two of it, and warns of an own header without the mask
+#if defined(__AVX512F__)
+  // gcc compiles a ?: into two instructions; the unmasked intrinsic would do, but gcc warns inside its own header.
   return (Lanes) _mm512_maskz_min_ps (0xffff, (__m512) a, (__m512) b);
 #else
   return a < b ? a : b;
 #endif
 }
 
-/** a > b ? a : b; so b where one is NaN */
+/** a > b ? a : b; hence b if either is NaN */
 LANES_INLINE Lanes
 maximum (Lanes a, Lanes b)
 {
@@ -130,7 +132,7 @@ absolute (Lanes a)
   return (Lanes) ((Mask) a & 0x7fffffff);
 }
 
-/** a where sign >= +0, -a where its sign bit is set. */
+/** a where the sign bit of \a sign is clear, -a where it is set. */
 LANES_INLINE Lanes
 withSignOf (Lanes a, Lanes sign)
 {
@@ -170,7 +172,7 @@ operator/ (Lanes3 a, Lanes s)
   return {a.x / s, a.y / s, a.z / s};
 }
 
-/** a in the lanes of the mask, b in the others. */
+/** a in the lanes where the mask is set, b in the others. */
 LANES_INLINE Lanes3
 choose (Mask mask, Lanes3 a, Lanes3 b)
 {
@@ -183,19 +185,20 @@ dot (Lanes3 a, Lanes3 b)
   return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
-/** exp (-x) for x >= 0 within 2e-7 (1 + x / 2) relative, 0 from x = 88 on; NaN for NaN. */
+/** exp (-x) for x >= 0 with a relative error within 2e-7 (1 + x / 2); 0 from x = 88 on; NaN for NaN. */
 LANES_INLINE Lanes
 expOfMinus (Lanes x)
 {
   // exp (-x) = 2^n 2^-r, n = round (-x / ln 2), |r| <= 1 / 2.
   constexpr float log2_e = 1.44269504f;
-  // 1.5 * 2^23 leaves the integer in the low bits of what it is added to; there 127 makes n an exponent field: from n =
-  // -127 on that of zero.
+  // Adding 1.5 * 2^23 leaves the rounded integer in the low bits of the sum; the additional 127 makes n an exponent
+  // field, which from n = -127 on is that of zero.
   constexpr float round_to_integer = 12582912.0f + 127;
   const Lanes power_of_half = minimum (splat (127.0f), x * log2_e);
   const Lanes shifted = round_to_integer - power_of_half;
   const Lanes r = power_of_half + (shifted - round_to_integer);
-  Lanes polynomial = splat (-0.00133002584f); // beginning with 1 - r ln 2; of these the least relative error, 1.05e-7
+  // Begins with 1 - r ln 2; the minimax polynomial of those: relative error 1.05e-7.
+  Lanes polynomial = splat (-0.00133002584f);
   constexpr float coefficients[] = {0.00966971833f, -0.0555055998f, 0.240222812f, -0.693147182f, 1.0f};
   for (const float coefficient : coefficients)
     polynomial = polynomial * r + coefficient;

@@ -13,8 +13,7 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** (1 - x / 16)^16, zero from x = 16 on: as good a bell as exp (-x) where a weight is all that is wanted. x >= 0 or
-  * NaN */
+/** (1 - x / 16)^16, zero from x = 16 on: a substitute for exp (-x) where only a weight is needed. x >= 0 or NaN */
 LANES_INLINE Lanes
 bell (Lanes x)
 {
@@ -25,8 +24,8 @@ bell (Lanes x)
   return t * t;
 }
 
-/** \a displacement, shortened to at most \a limit; none where it is not finite, for a point that is so far off that its
-  * distances are not. */
+/** \a displacement, shortened to at most \a limit; zero where its length is not finite, as for points so far away
+  * that distances overflow. */
 LANES_INLINE Lanes3
 capped (Lanes3 displacement, float limit)
 {
@@ -37,12 +36,13 @@ capped (Lanes3 displacement, float limit)
           finite ? scale * displacement.z : splat (0)};
 }
 
-/** The neighbours of the lanes' points, the points themselves first, in units of the distance of the farthest. */
+/** The neighbours of the lanes' points, relative to these and in units of the distance of the farthest; the points
+  * themselves come first. */
 template <std::size_t max_count>
 struct LocalPointsOf
 {
   Lanes3 at[max_count];
-  Lanes one[max_count]; // 1, or 0 behind the end of a row
+  Lanes one[max_count]; // 1, or 0 beyond the end of a row
   std::size_t count;
   Lanes reach; // distance of the farthest
 
@@ -75,7 +75,7 @@ struct LocalPointsOf
 
 using LocalPoints = LocalPointsOf<max_row_length>;
 
-/** The normal of the plane through the points, about their weighted centroid. */
+/** The normal of the weighted least-squares plane through the points. */
 template <std::size_t max_count>
 LANES_INLINE Lanes3
 planeNormal (const LocalPointsOf<max_count>& local, const Lanes* weights)
@@ -94,7 +94,7 @@ planeNormal (const LocalPointsOf<max_count>& local, const Lanes* weights)
                               yz * scale - y * z, zz * scale - z * z);
 }
 
-/** Eq. 1: weights 1 / distance over the other points. */
+/** The normal by eq. 1: weights 1 / distance, the point itself left out. */
 LANES_INLINE Lanes3
 weightedPlaneNormal (const LocalPoints& local)
 {
@@ -106,10 +106,10 @@ weightedPlaneNormal (const LocalPoints& local)
   return planeNormal (local, weights);
 }
 
-/** The normals that the rounds start from; NaN where a row has fewer than 3 points or they are all equal. In a row of 3
-  * the two others lie on a line, and rounding decides. */
+/** The initial normals of the rounds; NaN where a row has fewer than 3 points or they are all equal. In a row of 3
+  * the two neighbours always lie on a line, so that rounding decides the normal. */
 LANES_INLINE void
-startNormals (const NormalOfNodes& normals, const BlockRows& rows, int first)
+startNormals (const StartNormals& normals, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
   const LocalPoints local (normals.nodes, rows, own);

@@ -11,7 +11,7 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** Squared distances of some candidates: ((dx^2 + dy^2) + dz^2) in float, as FLANN's. */
+/** Squared distances of the candidates from \a first on: ((dx^2 + dy^2) + dz^2) in float, as in FLANN. */
 LANES_INLINE Lanes
 squaredDistances (const Candidates& candidates, const CandidateQuery& query, std::size_t first)
 {
@@ -24,7 +24,7 @@ squaredDistances (const Candidates& candidates, const CandidateQuery& query, std
   return (difference[0] * difference[0] + difference[1] * difference[1]) + difference[2] * difference[2];
 }
 
-/** Where those go that are near, one after the other; there is room for a whole vector behind them. */
+/** Output for the candidates that are near, appended one after another; has room for a whole vector beyond the last. */
 struct NearCandidates
 {
   float* sq_dists;
@@ -32,8 +32,8 @@ struct NearCandidates
   std::size_t size;
 };
 
-// appendNear, for every instruction set: appends those of the first count lanes that are not farther than the bound.
-// The candidate of lane 0 has the number first.
+// appendNear, for every instruction set: appends those of the first \a count lanes that are within the bound. The
+// candidate of lane 0 has the number \a first.
 #if defined(__AVX512F__)
 
 LANES_INLINE void
@@ -51,7 +51,7 @@ appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count
 
 #elif defined(__AVX2__)
 
-/** For every set of lanes their numbers, ascending, a byte each, the first in the lowest. */
+/** For every set of lanes, their numbers in ascending order, one per byte, starting with the lowest byte. */
 struct LanesOfSets
 {
   std::uint64_t lanes[256] = {};
@@ -85,7 +85,7 @@ appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count
 LANES_INLINE void
 appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count, NearCandidates& near)
 {
-  for (std::size_t lane = 0; lane < count; ++lane) { // without a branch: which pass is as good as random
+  for (std::size_t lane = 0; lane < count; ++lane) { // branchless: which lanes pass is unpredictable
     near.numbers[near.size] = static_cast<std::uint32_t> (first + lane);
     near.sq_dists[near.size] = sq_dists[lane];
     near.size += sq_dists[lane] <= sq_bound;
@@ -94,9 +94,8 @@ appendNear (Lanes sq_dists, float sq_bound, std::size_t first, std::size_t count
 
 #endif
 
-/** The candidates that are not farther than the bound, and their squared distances. Both arguments are copies: what is
-  * stored might lie in those of the caller for all that the compiler knows, and each would be read again for every
-  * vector. */
+/** The candidates within the bound, and their squared distances. The first two arguments are passed by value:
+  * otherwise the compiler must assume that the stores may change them, and reload them for every vector. */
 LANES_INLINE std::size_t
 selectNear (const Candidates candidates, const CandidateQuery query, float* sq_dists, std::uint32_t* selected)
 {
@@ -109,18 +108,17 @@ selectNear (const Candidates candidates, const CandidateQuery query, float* sq_d
   return near.size;
 }
 
-/** How many of \a count keys are smaller than each of them.
-  * \return whether all keys differ: where two are equal, no key has the rank of the second, and the ranks sum up to
-  * less */
+/** For each of \a count keys, counts the smaller ones.
+  * \return whether all keys differ: if two are equal, one rank is missing, and the ranks sum up to less */
 LANES_INLINE bool
 rankKeys (const float* keys, std::size_t count, std::int32_t* ranks)
 {
   for (std::size_t i = 0; i < count; i += lane_count) {
     const Lanes own = load<Lanes> (keys + i);
-    Mask of_even = {}, of_odd = {}; // two, so that the one need not wait for the other
+    Mask of_even = {}, of_odd = {}; // two counters, so that additions need not wait for each other
     std::size_t j = 0;
     for (; j + 2 <= count; j += 2) {
-      of_even -= (splat (keys[j]) < own); // a mask is -1 where it holds
+      of_even -= (splat (keys[j]) < own); // a mask is -1 where it is set
       of_odd -= (splat (keys[j + 1]) < own);
     }
     if (j < count)

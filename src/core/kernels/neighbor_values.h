@@ -11,8 +11,8 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** What is read of all neighbours of the lanes' points, kept where there is room: it is needed twice.
-  * \tparam Read gives a Value of the lanes' j-th neighbours */
+/** What is read for all neighbours of the lanes' points. It is needed twice, and kept if it fits.
+  * \tparam Read gives the Value of the lanes' j-th neighbours */
 template <typename Value, typename Read>
 class NeighborValues
 {

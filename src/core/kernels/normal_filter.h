@@ -31,26 +31,26 @@ distanceWeights (const DistanceWeights& task, const BlockRows& rows, int first)
     Lanes weight = expOfMinus (dot (differences (j), differences (j)) * factor);
     weight = isOther (own + block_size * j, j == 0 ? no_nodes : own) ? weight : splat (0);
     storeShorts (task.weights + rows.begin + first + block_size * j,
-                 max_short * maximum (weight, splat (0))); // NaN: too far
+                 max_short * maximum (weight, splat (0))); // NaN: too far away
   }
 }
 
-/** n_i.s n_j of unit normals, s the sign that turns n_j to the side of n_i where normals are not oriented. NaN where
-  * one is. */
+/** The cosine n_i.s n_j of unit normals, where s flips n_j to the side of n_i unless normals are oriented. NaN where
+  * either normal is. */
 LANES_INLINE Lanes
 similarity (Lanes cosine, bool oriented)
 {
   return oriented ? cosine : absolute (cosine);
 }
 
-/** \a number times that s. */
+/** \a number times s, the sign in similarity. */
 LANES_INLINE Lanes
 turned (Lanes number, Lanes cosine, bool oriented)
 {
   return oriented ? number : withSignOf (number, cosine);
 }
 
-/** T of eq. 7 for the neighbourhoods of the lanes. */
+/** The threshold T of eq. 7 for the lanes' neighbourhoods. */
 template <typename Normals>
 LANES_INLINE Lanes
 mixedThreshold (const NormalFilterStep& step, const BlockRows& rows, const std::uint32_t* own, const Normals& normals)
@@ -65,7 +65,7 @@ mixedThreshold (const NormalFilterStep& step, const BlockRows& rows, const std::
   return step.mixed_threshold == MixedThreshold::RMS ? squareRoot (sum / count) : squareRoot (sum) / count;
 }
 
-/** The weight of eq. 3, or what that of eq. 4 or eq. 6 is besides the one of the distance. */
+/** The weight of eq. 3, or the factor for the normal in that of eq. 4 or eq. 6. */
 template <NormalWeight kind>
 LANES_INLINE Lanes
 normalWeight (const NormalFilterStep& step, Lanes threshold, Lanes likeness)
@@ -78,9 +78,9 @@ normalWeight (const NormalFilterStep& step, Lanes threshold, Lanes likeness)
 }
 
 /** The sum of eq. 2.
-  * \tparam complete all nodes have normals, and those of the lanes as many neighbours as others of the block
+  * \tparam complete all nodes have normals, and the rows of the lanes' nodes are as long as the block's
   * \param[in] threshold T of eq. 3 or eq. 7
-  * \param[in] normals gives those of the lanes' j-th neighbours */
+  * \param[in] normals gives the normals of the lanes' j-th neighbours */
 template <NormalWeight kind, bool complete, typename Normals>
 LANES_INLINE Lanes3
 weightedSum (const NormalFilterStep& step, const BlockRows& rows, int first, Lanes threshold, const Normals& normals)

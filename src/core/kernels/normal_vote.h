@@ -11,13 +11,13 @@ namespace PCL_NORMAL_SMOOTHING_ISA
 {
 constexpr std::size_t max_candidates = 16;
 
-/** How much of its neighbourhood agrees with a candidate. A neighbour's share, exp (-d^2 / (2 .5^2)) in units of the
-  * reach, is its exponent. */
+/** How far a neighbourhood supports a candidate. Each neighbour is weighted by its distance, exp (-d^2 / (2 .5^2))
+  * in units of the reach; kept as exponents. */
 struct Electorate
 {
   const LocalPoints& local;
   Lanes exponents[max_row_length];
-  Lanes3 normals[max_row_length]; // only where they count
+  Lanes3 normals[max_row_length]; // only if they count
   Lanes height_factor;
 
   LANES_INLINE
@@ -31,7 +31,7 @@ struct Electorate
     }
   }
 
-  /** By the points: each counts as much as it is near the candidate's plane. */
+  /** Support by position: the nearer a point lies to the candidate's plane, the more it counts. */
   LANES_INLINE Lanes
   ofPoints (Lanes3 candidate) const
   {
@@ -43,7 +43,7 @@ struct Electorate
     return support;
   }
 
-  /** By their normals: exp (-|n - n_j|^2 / (2 .41^2)), without regard to the sign. */
+  /** Support by the normals: exp (-|n - n_j|^2 / (2 .41^2)), regardless of the sign. */
   LANES_INLINE Lanes
   ofNormals (Lanes3 candidate) const
   {
@@ -56,8 +56,8 @@ struct Electorate
   }
 };
 
-/** Of the normals of the nearest points, the point's own first, elects that which has most of the neighbourhood for
-  * it. */
+/** Elects, among the normals of the nearest points (the point's own first), the one that the neighbourhood supports
+  * most. */
 LANES_INLINE void
 electNormals (const NormalVoteStep& step, const BlockRows& rows, int first)
 {

@@ -9,27 +9,27 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** How many neighbours lie on another sheet: those whose normal is much the same, and that are too far from the mean of
+/** Counts the neighbours on another sheet: those with a similar normal, up to its sign, and too far from the mean of
   * both tangent planes. */
 LANES_INLINE void
-countOthers (const OtherSheetTest& test, const BlockRows& rows, int first)
+countOthers (const OtherSheetCount& task, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const Points points (test.nodes.base, test.nodes.offset, own);
-  const Lanes3 own_normal = load3 (test.nodes.normals, own);
+  const Points points (task.nodes.base, task.nodes.offset, own);
+  const Lanes3 own_normal = load3 (task.nodes.normals, own);
   Lanes others = {};
   for (std::size_t j = 1; j < rows.length; ++j) {
     Lanes3 normal;
-    const Lanes3 difference = points.difference (own + block_size * j, test.nodes.normals, normal);
+    const Lanes3 difference = points.difference (own + block_size * j, task.nodes.normals, normal);
     const Lanes cosine = dot (own_normal, normal);
     const Lanes height = 0.5f * (dot (own_normal, difference) + turned (dot (normal, difference), cosine, false));
-    Mask other = (absolute (cosine) > test.min_cosine) &
-                 (height * height > test.sq_distance + test.sq_slope * dot (difference, difference));
-    if (test.oriented)
+    Mask other = (absolute (cosine) > task.min_cosine) &
+                 (height * height > task.sq_distance + task.sq_slope * dot (difference, difference));
+    if (task.oriented)
       other |= cosine < 0;
     others += other ? splat (1) : splat (0);
   }
-  store1 (test.others, own, others);
+  store1 (task.others, own, others);
 }
 } // namespace PCL_NORMAL_SMOOTHING_ISA
 } // namespace core

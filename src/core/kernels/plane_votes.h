@@ -11,7 +11,8 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** The angles of (x, y) as shares of a full turn, [0, 1), within 0.001: enough to find a bin, the same everywhere. */
+/** The angles of (x, y) as fractions of a full turn, [0, 1), within 0.001: accurate enough to find a bin, and the
+  * same on every machine. */
 LANES_INLINE Lanes
 turnOf (Lanes x, Lanes y)
 {
@@ -24,13 +25,13 @@ turnOf (Lanes x, Lanes y)
   return ((y < 0) & (turn > 0)) ? 1 - turn : turn;
 }
 
-/** The bins of directions of length 1, z >= 0. */
+/** The bins of unit directions with z >= 0. */
 LANES_INLINE Mask
 binOf (const PlaneVotes& votes, Lanes3 direction)
 {
   Mask band = {};
   for (std::uint32_t b = 0; b + 1 < votes.bands; ++b)
-    band -= direction.z < votes.band_cosine[b]; // a mask is -1 where it holds
+    band -= direction.z < votes.band_cosine[b]; // a mask is -1 where it is set
   std::uint32_t bands[lane_count];
   std::memcpy (bands, &band, sizeof bands);
   const Lanes begin = load1 (votes.band_begin, bands), count = load1 (votes.band_begin + 1, bands) - begin;
@@ -39,7 +40,7 @@ binOf (const PlaneVotes& votes, Lanes3 direction)
   return __builtin_convertvector(begin, Mask) + (column < last ? column : last);
 }
 
-/** The normals of the planes through triples of points, rotated and turned to z >= 0, and their bins. */
+/** The unit normals of the planes through triples of points, rotated and flipped to z >= 0, and their bins. */
 LANES_INLINE void
 votePlanes (const PlaneVotes& votes, int first)
 {

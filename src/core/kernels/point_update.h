@@ -10,7 +10,7 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** A neighbour and its plane, as eqs. 8 and 9 need them. Copied number by number, as Lanes3. */
+/** A neighbour and its plane, as needed by eqs. 8 and 9. Copied member by member, like Lanes3. */
 struct NeighborPlane
 {
   Lanes3 normal;
@@ -36,7 +36,7 @@ struct NeighborPlane
   }
 };
 
-/** Those that \a index names. */
+/** The neighbours named by \a index. */
 template <UpdateKind kind>
 LANES_INLINE NeighborPlane
 neighborPlane (const PointUpdateStep& step, const Points& points, Lanes3 own_normal, const std::uint32_t* index)
@@ -44,13 +44,13 @@ neighborPlane (const PointUpdateStep& step, const Points& points, Lanes3 own_nor
   Lanes3 normal;
   const Lanes3 difference = points.difference (index, step.nodes.normals, normal);
   const Lanes cosine = dot (own_normal, normal);
-  Lanes height = dot (normal, difference); // eq. 8, in which the signs of both n_j cancel
+  Lanes height = dot (normal, difference); // eq. 8, where the sign of n_j cancels
   if (kind != UpdateKind::PAPER)
     height = 0.5f * (turned (dot (own_normal, difference), cosine, step.oriented) + height);
   return {normal, dot (difference, difference), cosine, height};
 }
 
-/** 1 / (2 sigma_c^2) of eq. 9, sigma_c the distance of the farthest neighbour now; 0 where that is 0. */
+/** 1 / (2 sigma_c^2) of eq. 9, sigma_c being the current distance of the farthest neighbour; 0 where that is 0. */
 template <typename Neighbors>
 LANES_INLINE Lanes
 reachFactor (const Neighbors& neighbors, const BlockRows& rows)
@@ -61,8 +61,8 @@ reachFactor (const Neighbors& neighbors, const BlockRows& rows)
   return farthest > 0 ? 1 / (2 * farthest) : splat (0);
 }
 
-/** One iteration of eq. 8 (Sun et al. 2007), or of a form that UpdateKind names.
-  * \tparam complete all nodes have normals, and those of the lanes as many neighbours as others of the block */
+/** One iteration of eq. 8 (Sun et al. 2007), or of the variant \a kind.
+  * \tparam complete all nodes have normals, and the rows of the lanes' nodes are as long as the block's */
 template <UpdateKind kind, bool complete>
 LANES_INLINE void
 updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
@@ -76,11 +76,12 @@ updatePoints (const PointUpdateStep& step, const BlockRows& rows, int first)
   const Lanes reach_factor = reachFactor (neighbors, rows) * step.reach_scale * load1OrOne (step.reach_factors, own);
   const Lanes residual_factor = step.residual_factor / load1OrOne (step.variance_factors, own);
   Lanes3 sum = {};
-  Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0); // the point itself: it adds nothing above
+  // The point itself counts too: it adds nothing to the sum.
+  Lanes weights = own_normal.x == own_normal.x ? splat (1) : splat (0);
   for (std::size_t j = 1; j < rows.length; ++j) {
     const NeighborPlane neighbor = neighbors (j);
     const Lanes height = neighbor.height, x = 1 - similarity (neighbor.cosine, step.oriented);
-    // Eq. 9, the Gaussians in one exponential.
+    // Eq. 9, both Gaussians in one exponential.
     const Lanes exponent = neighbor.sq_dist * reach_factor + x * x * step.normal_factor;
     const Lanes weight =
         kind == UpdateKind::ROBUST ? bell (exponent + height * height * residual_factor) : expOfMinus (exponent);

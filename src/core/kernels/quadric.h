@@ -15,7 +15,7 @@ normalized (Lanes3 a)
   return (1 / squareRoot (maximum (dot (a, a), splat (1e-30f)))) * a;
 }
 
-/** Axes that make a right-handed frame with a normal (Duff et al., "Building an Orthonormal Basis, Revisited",
+/** The axes that complete a normal to a right-handed frame (Duff et al., "Building an Orthonormal Basis, Revisited",
   * 2017). */
 struct Frame
 {
@@ -30,7 +30,7 @@ struct Frame
   }
 };
 
-/** A quadric height = a0 + a1 u + a2 v + a3 u^2 + a4 u v + a5 v^2 by weighted least squares. */
+/** The quadric height = a0 + a1 u + a2 v + a3 u^2 + a4 u v + a5 v^2, fitted by weighted least squares. */
 class Quadric
 {
 public:
@@ -48,19 +48,19 @@ public:
       height_moments_[i] += heights[i];
   }
 
-  /** Cholesky decomposition of the normal equations.
-    * \param[in] ridge on the second-order terms, in shares of the sum of the weights */
+  /** Solves the normal equations by Cholesky decomposition.
+    * \param[in] ridge added to the second-order terms, as a fraction of the sum of the weights */
   LANES_INLINE void
   solve (Lanes ridge)
   {
-    // Where the normal equations keep the moments u^a v^b.
+    // Index of the moment u^a v^b in each element of the normal equations.
     constexpr int moment[6][6] = {{0, 1, 2, 3, 4, 5},    {1, 3, 4, 6, 7, 8},    {2, 4, 5, 7, 8, 9},
                                   {3, 6, 7, 10, 11, 12}, {4, 7, 8, 11, 12, 13}, {5, 8, 9, 12, 13, 14}};
     Lanes lower[6][6], inverse_diagonal[6], solution[6];
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j <= i; ++j) {
         Lanes sum = moments_[moment[i][j]];
-        // Half for u v: a3^2 + a4^2 / 2 + a5^2 does not change where the frame turns about its normal.
+        // Half for u v: a3^2 + a4^2 / 2 + a5^2 is invariant when the frame turns about its normal.
         if (i == j)
           sum += moments_[0] * (i >= 3 ? (i == 4 ? .5f : 1.0f) * ridge + smallest_ridge : splat (smallest_ridge));
         for (int t = 0; t < j; ++t)
@@ -90,8 +90,8 @@ public:
     return a[0] + a[1] * u + a[2] * v + (a[3] * u + a[4] * v) * u + a[5] * v * v;
   }
 
-  /** 1 + |gradient|^2 at the origin: the squared secant of the slope there, by whose root a height over the plane of
-    * the frame is larger than the distance from the quadric. */
+  /** 1 + |gradient|^2 at the origin, the squared secant of the slope: a height over the frame's plane is larger than
+    * the distance from the quadric by its root. */
   LANES_INLINE Lanes
   squaredSecant () const
   {
@@ -106,7 +106,7 @@ public:
   }
 
 private:
-  static constexpr float smallest_ridge = 1e-7f; // what float arithmetic needs
+  static constexpr float smallest_ridge = 1e-7f; // needed in float arithmetic
 
   Lanes moments_[15] = {}; // 1 u v uu uv vv uuu uuv uvv vvv uuuu uuuv uuvv uvvv vvvv
   Lanes height_moments_[6] = {};
@@ -114,8 +114,8 @@ private:
 };
 
 /** The eigenvector of the smallest eigenvalue of a symmetric positive semidefinite matrix
-  * xx xy xz / xy yy yz / xz yz zz: the adjugate has it as that of its largest, and squaring it drives out the
-  * others. */
+  * xx xy xz / xy yy yz / xz yz zz: in the adjugate it belongs to the largest eigenvalue, and repeated squaring
+  * suppresses the others. */
 LANES_INLINE Lanes3
 smallestEigenvector (Lanes xx, Lanes xy, Lanes xz, Lanes yy, Lanes yz, Lanes zz)
 {

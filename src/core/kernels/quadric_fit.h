@@ -42,16 +42,16 @@ fitQuadric (const HeightField& field, std::size_t count, const Lanes* weights, f
   return quadric;
 }
 
-/** What an unweighted quadric through a neighbourhood leaves, as a variance of noise along the normal: the sum of the
-  * squared residuals over the degrees of freedom; NaN where the row is too short. */
+/** The residual variance of an unweighted quadric fit to a neighbourhood, as a variance of noise along the normal:
+  * the sum of squared residuals over the degrees of freedom; NaN where the row is too short. */
 LANES_INLINE void
-residualVariances (const NumberOfNodes& variances, const BlockRows& rows, int first)
+residualVariances (const QuadricResiduals& residuals, const BlockRows& rows, int first)
 {
   const std::uint32_t* own = rows.neighbors + first;
-  const LocalPoints local (variances.nodes, rows, own);
+  const LocalPoints local (residuals.nodes, rows, own);
   Lanes3 normal = weightedPlaneNormal (local);
   Lanes variance = {};
-  for (int pass = 0; pass < 2; ++pass) { // the second in the frame of the first's gradient
+  for (int pass = 0; pass < 2; ++pass) { // the second in the frame of the first one's gradient
     const Frame frame (normal);
     const HeightField field (local, frame);
     const Quadric quadric = fitQuadric (field, local.count, local.one, 0);
@@ -64,11 +64,11 @@ residualVariances (const NumberOfNodes& variances, const BlockRows& rows, int fi
   const Lanes size = local.size ();
   variance *= local.reach * local.reach / (size - 6);
   const Mask valid = (size >= float (min_fit_points)) & (local.reach > 0);
-  store1 (variances.numbers, own, valid ? variance : splat (__builtin_nanf ("")));
+  store1 (residuals.variances, own, valid ? variance : splat (__builtin_nanf ("")));
 }
 
-/** What weighs a neighbour besides its residual: exp (-d^2 / (2 .5^2)) in units of the reach, and, where \a by_normal,
-  * exp (-|n_i - n_j|^2 / (2 .4^2)). As exponents. */
+/** The weights of the neighbours apart from their residuals: exp (-d^2 / (2 .5^2)) in units of the reach and, if \a
+  * by_normal, exp (-|n_i - n_j|^2 / (2 .4^2)). As exponents. */
 LANES_INLINE void
 neighborExponents (const QuadricFitStep& step,
                    const LocalPoints& local,
@@ -86,8 +86,8 @@ neighborExponents (const QuadricFitStep& step,
   }
 }
 
-/** Fits a quadric to every neighbourhood, in the frame of the point's normal, again and again, a point's distance from
-  * the last fit weighing it; the normal becomes that of the quadric at the point. Where there are too few points it
+/** Fits a quadric to every neighbourhood repeatedly, in the frame of the point's normal, each time weighting points
+  * by their residuals in the previous fit; the normal becomes the quadric's at the point. With too few points it
   * stays. */
 LANES_INLINE void
 fitNormals (const QuadricFitStep& step, const BlockRows& rows, int first)

@@ -9,9 +9,9 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** Fits a quadric to every neighbourhood, over the plane through it, both with the weights exp (-d^2 / h^2), h the
-  * distance of the farthest; the point moves onto the quadric, along the normal of the plane. Where there are too few
-  * points it stays, and where the quadric passes outside the neighbourhood. */
+/** Moves each point onto a quadric fitted to its neighbourhood, along the normal of the plane over which it is
+  * fitted; plane and quadric both have weights exp (-d^2 / h^2), h the distance of the farthest. A point stays if it
+  * has too few neighbours, or the quadric passes outside the neighbourhood. */
 LANES_INLINE void
 projectPoints (const QuadricProjection& projection, const BlockRows& rows, int first)
 {

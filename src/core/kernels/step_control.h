@@ -10,16 +10,19 @@ namespace core
 {
 namespace PCL_NORMAL_SMOOTHING_ISA
 {
-/** What a step of the lanes' points may cost. */
+// Of a block in AveragingWeights, which packs two neighbours of a node into one byte.
+constexpr std::size_t bytes_per_neighbor = block_size / 2;
+
+/** The limit on the risk of the lanes' steps. */
 LANES_INLINE Lanes
-gainOf (const StepGain& gain, const std::uint32_t* own)
+limitOf (const RiskLimit& limit, const std::uint32_t* own)
 {
-  return gain.usual * load1OrOne (gain.factors, own);
+  return limit.usual * load1OrOne (limit.factors, own);
 }
 
-/** What a proposed step d tells of the risk, along the point's normal: the way since the first round times d.n, and
-  * |d.n|. The first is bounded: an outlier, which goes the same way round after round, says nothing of the points
-  * around. */
+/** The risk of a proposed step d along the point's normal n: (distance moved since the first round) * d.n, and
+  * |d.n|. The first is bounded: an outlier, which moves the same way round after round, says nothing about the
+  * points around. */
 LANES_INLINE void
 stepRisks (const StepRisks& task, const BlockRows& rows, int first)
 {
@@ -27,12 +30,12 @@ stepRisks (const StepRisks& task, const BlockRows& rows, int first)
   const Lanes3 normal = load3 (task.nodes.normals, own), offset = load3OrZero (task.nodes.offset, own);
   const Lanes step = dot (load3 (task.proposed, own) - offset, normal);
   const Mask valid = normal.x == normal.x;
-  const Lanes bound = 3 * gainOf (task.gain, own);
+  const Lanes bound = 3 * limitOf (task.limit, own);
   const Lanes product = minimum (maximum (load1 (task.moved, own) * step, -bound), bound);
   store2 (task.risks, own, {valid ? product : splat (0), valid ? absolute (step) : splat (0)});
 }
 
-/** Weights for averaging over neighbours: near, and with a similar normal; from 0 to 15. */
+/** Weights for averaging over neighbours, from 0 to 15: by distance and similarity of the normals. */
 LANES_INLINE void
 averagingWeights (const AveragingWeights& task, const BlockRows& rows, int first)
 {
@@ -50,11 +53,11 @@ averagingWeights (const AveragingWeights& task, const BlockRows& rows, int first
   for (std::size_t j = 0; j < local.count; j += 2) {
     const Mask second = j + 1 < local.count ? weightOf (j + 1) : Mask {};
     const Bytes pair = __builtin_convertvector(weightOf (j) | (second << 4), Bytes);
-    std::memcpy (weights + 8 * j, &pair, sizeof pair);
+    std::memcpy (weights + bytes_per_neighbor * j, &pair, sizeof pair);
   }
 }
 
-/** One averaging of the risks over the neighbourhoods. */
+/** Averages the risks over the neighbourhoods, once. */
 LANES_INLINE void
 averageRisks (const RiskAverages& task, const BlockRows& rows, int first)
 {
@@ -70,7 +73,7 @@ averageRisks (const RiskAverages& task, const BlockRows& rows, int first)
     sum_size += weight * risk.y;
   };
   for (std::size_t j = 0; j < count; j += 2) {
-    const Mask pair = __builtin_convertvector(load<Bytes> (weights + 8 * j), Mask);
+    const Mask pair = __builtin_convertvector(load<Bytes> (weights + bytes_per_neighbor * j), Mask);
     add (pair & 15, j);
     if (j + 1 < count)
       add (pair >> 4, j + 1);
@@ -79,9 +82,9 @@ averageRisks (const RiskAverages& task, const BlockRows& rows, int first)
   store2 (task.averaged, own, {scale * sum_product, scale * sum_size});
 }
 
-/** Takes the share of the proposed step that the risk allows: with a and s the averages of stepRisks, the mean square
-  * of the step is q = (pi / 2) s^2 (of a Gaussian, from its mean size: heavy tails count less), and the share is the
-  * fourth power of (gain - a) / q within [0, 1]: nearly all of the step or little. */
+/** Takes the share of the proposed step that the risk allows. With a and s the averages of stepRisks, the mean
+  * square of the step is q = (pi / 2) s^2 (from its mean size, as for a Gaussian: heavy tails count less). The share
+  * is the fourth power of (limit - a) / q, clamped to [0, 1]: nearly all of the step or little. */
 LANES_INLINE void
 takeSteps (const StepsToTake& task, const BlockRows& rows, int first)
 {
@@ -89,10 +92,10 @@ takeSteps (const StepsToTake& task, const BlockRows& rows, int first)
   const Lanes3 offset = load3OrZero (task.nodes.offset, own), start = load3OrZero (task.start, own);
   const Lanes2 risk = load2 (task.risks, own);
   const Lanes q = 1.57079633f * (risk.y * risk.y);
-  Lanes share = q > 0 ? minimum (maximum ((gainOf (task.gain, own) - risk.x) / q, splat (0)), splat (1)) : splat (0);
+  Lanes share = q > 0 ? minimum (maximum ((limitOf (task.limit, own) - risk.x) / q, splat (0)), splat (1)) : splat (0);
   share *= share;
   share *= share;
-  // What is taken may stand where it was proposed.
+  // The taken steps may be stored in place of the proposed ones.
   const Lanes3 step = load3Alone (task.proposed, own) - offset;
   const Lanes3 taken = start + capped ((offset + share * step) - start, task.max_displacement);
   store3 (task.taken, own, taken);

@@ -17,10 +17,10 @@ namespace
 {
 constexpr std::size_t sample_size = 4096;
 constexpr std::size_t part_count = 256;
-constexpr std::size_t shares[] = {64, 32}; // of the sample, in a part
+constexpr std::size_t shares[] = {64, 32}; // a part is 1 / 64 or 1 / 32 of the sample
 constexpr std::size_t least_size = 1024;
 
-/** From a node to the nearest of the sample, in order. */
+/** Differences from a node to the nearest points of the sample, in ascending order. */
 Differences
 nearestDifferences (const Positions& nodes,
                     std::uint32_t node,
@@ -58,7 +58,7 @@ cloudThickness (const Positions& nodes, const Execution& execution)
   if (sample.size () < least_size)
     return thickness;
   std::vector<std::uint32_t> middles = sampleNodes (nodes, part_count, execution);
-  middles.resize (std::min (middles.size (), part_count)); // more where many points lie in one place
+  middles.resize (std::min (middles.size (), part_count)); // may be more where many points lie in one place
   std::vector<Differences> parts;
   for (const std::uint32_t node : middles)
     parts.push_back (nearestDifferences (nodes, node, sample, sample.size () / shares[1]));

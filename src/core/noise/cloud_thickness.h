@@ -8,10 +8,10 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** How thick a cloud is: the smallest variance of a part over its middle one, as the median over parts of 1/64 of the
-  * cloud, and of 1/32; the smaller of the two. A surface has the less the less noise it has, below .45 where that is as
-  * much as .08 of the cloud's size; volumes, as leaves and grass are, have .5 to .9. Looks at a sample of 4,096 places.
-  * \return infinity where there are too few of them to tell */
+/** Thickness of a cloud: the ratio of the smallest to the middle variance, as the median over parts of 1/64 of the
+  * cloud, and of 1/32; the smaller of the two. For a surface it grows with the noise, and is below .45 for noise up to
+  * .08 of the cloud's size; volumes, such as leaves and grass, have .5 to .9. Uses a sample of 4,096 places.
+  * \return infinity if the sample is too small */
 double
 cloudThickness (const Positions& nodes, const Execution& execution);
 } // namespace core

@@ -15,14 +15,14 @@ namespace core
 {
 namespace
 {
-// Of a step: farther from a whole number of them lies no coordinate, however it was rounded.
+// Upper bound on a coordinate's deviation from a whole number of steps, in steps.
 constexpr double max_rounding = .02;
-// Of the step: what rounding makes of sigma, on the large side; and what is nothing.
+// In steps: sigma of rounding, on the large side; and the sigma up to which there is no noise.
 constexpr float noise_of_rounding = .4f, no_noise = .02f;
 constexpr std::size_t step_sample_size = 512;
 constexpr double cosine_of_axis = 1 - 1e-5;
 
-/** Of ascending numbers; infinity where they are all the same, 0 where they have none. */
+/** The step of ascending numbers; infinity if all are equal, 0 if they have none. */
 double
 stepOf (const std::vector<double>& ascending)
 {
@@ -37,7 +37,7 @@ stepOf (const std::vector<double>& ascending)
     return std::numeric_limits<double>::infinity ();
   if (!(rounding < max_rounding / 4 * step))
     return 0;
-  for (const double number : ascending) { // the farther from the first, the better it tells the step
+  for (const double number : ascending) { // numbers farther from the first determine the step more accurately
     const double steps = std::round ((number - first) / step);
     if (std::abs (number - first - steps * step) > max_rounding * step)
       return 0;
@@ -46,7 +46,7 @@ stepOf (const std::vector<double>& ascending)
   return step;
 }
 
-/** Whether steps make layers of the cloud, as for depth cameras. */
+/** Whether the steps form layers in the cloud, as those of depth cameras do. */
 bool
 showSteps (const ThinnedSample& sample)
 {

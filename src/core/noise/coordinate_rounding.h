@@ -9,24 +9,24 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** How coordinates were rounded, all three: to the centres of voxels, or to few digits. */
+/** Rounding of all three coordinates: to voxel centres, or to few digits. */
 struct CoordinateRounding
 {
-  /** In the unit of the positions; 0: none is found. */
+  /** In the unit of the positions; 0 if none is found. */
   float step = 0;
-  /** Flat parts a step apart are seen, as rounding makes them of a surface, and hardly anything else does. */
+  /** Whether flat parts one step apart are seen, which hardly anything but rounding produces. */
   bool is_seen = false;
 
-  /** What rounding makes of sigma.
-    * \param[in] sigma as it is read from the neighbourhoods */
+  /** Raises sigma to what rounding causes, if the cloud shows any noise.
+    * \param[in] sigma as estimated from the neighbourhoods */
   float
   atLeast (float sigma) const;
 };
 
-/** The step in which coordinates come.
+/** The step of the coordinates.
   * \param[in] places a sample of the cloud, hundreds
-  * \return in the unit of the places, the smallest of the three axes; 0 where one of them has no step, as depth images
-  * have and heights over a grid, or where all lie in one place */
+  * \return the smallest step of the three axes, in the unit of the places; 0 if an axis has no step, as in depth
+  * images and heights over a grid, or if all lie in one place */
 double
 coordinateStep (const std::vector<Eigen::Vector3d>& places);
 

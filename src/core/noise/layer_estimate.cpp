@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../quantile.h"
-#include "camera_test.h"
+#include "camera_grid.h"
 #include "layer_test.h"
 #include "thinned_sample.h"
 
@@ -18,16 +18,18 @@ namespace core
 namespace
 {
 constexpr double cosine_of_parallel = 1 - 1e-5;
-constexpr double cosine_of_facing = .77; // 40 degrees: pictures may show things at their rim only
-constexpr double min_share_flat = .05;   // noise leaves none; a scan of a table with a frayed wall has .1
-// Of those that are flat. On a table that slants, rows of pixels that are a step apart are, too.
+constexpr double cosine_of_facing = .77; // 40 degrees: objects may be at the rim of the picture only
+constexpr double min_share_flat = .05;   // with noise there are none; a scan of a table with a frayed wall has .1
+// Share of the flat neighbourhoods that must be parallel; on a slanting table, rows of pixels a step apart are flat
+// too.
 constexpr double min_share_parallel = .12;
-constexpr double min_share_off = .1;     // likewise: have points near that are off their plane
-constexpr double min_share_between = .5; // of those that see a layer; cameras have .8 and more
-// Likewise: others are the planes in which a scanner takes its lines, one beside the other.
+constexpr double min_share_off = .1; // share of the flat ones that must have points off their plane nearby
+// Share of those seeing a layer that must lie between two; cameras have .8 and more.
+constexpr double min_share_between = .5;
+// Upper bound on the share of these with their nearest on a line: above it, the planes are those of a profiler's lines.
 constexpr double max_share_lines = .6;
 constexpr double surely_line = .2;
-constexpr float max_deviation = .45f; // of half of the steps, as a logarithm: terraces differ more
+constexpr float max_deviation = .45f; // median deviation of log (step) from its region's; terraces have more
 
 bool
 areParallel (const Eigen::Vector3d& a, const Eigen::Vector3d& b)
@@ -35,7 +37,7 @@ areParallel (const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::abs (a.dot (b)) > cosine_of_parallel;
 }
 
-/** One of \a normals that most of the others are parallel to, or nearly so. */
+/** One of \a normals, out of some candidates: the one that most others are parallel to. */
 Eigen::Vector3d
 commonNormal (const std::vector<Eigen::Vector3d>& normals)
 {
@@ -63,7 +65,7 @@ planesOf (const std::vector<Differences>& differences)
   return planes;
 }
 
-/** Close to each other steps of one size are. */
+/** Whether steps that are near each other have about the same size. */
 bool
 areAlike (const std::vector<LocalValue>& steps, float spacing)
 {
@@ -74,14 +76,14 @@ areAlike (const std::vector<LocalValue>& steps, float spacing)
   return quantile (deviations, .5) < max_deviation;
 }
 
-/** Where there is rounding alone, all steps are clear; noise before it frays them. */
+/** Sigma in steps. With rounding alone all steps are clear; noise added before rounding frays them. */
 float
 noiseOfStep (double share_stepped)
 {
   return static_cast<float> (.29 + .5 * (1 - share_stepped));
 }
 
-/** A first look, for clouds with noise. */
+/** A quick check, which is all that most clouds with noise need. */
 bool
 mayHaveLayers (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
@@ -93,7 +95,7 @@ mayHaveLayers (const NeighborGraph& graph, const Positions& nodes, const Executi
   return static_cast<double> (flat) > min_share_flat * static_cast<double> (sample.size ());
 }
 
-/** Whether some of the planes face a camera at the origin that sees all points a pixel apart. */
+/** Whether some of the planes face a camera at the origin to which all points appear a pixel apart. */
 bool
 areOfCamera (const std::vector<Eigen::Vector3d>& normals,
              const NeighborGraph& graph,
@@ -108,11 +110,11 @@ areOfCamera (const std::vector<Eigen::Vector3d>& normals,
          isGridOfCamera (graph, nodes, commonNormal (facing), execution);
 }
 
-/** Points that lie in parallel planes with their nearest, and what is around them. */
+/** Points that lie in parallel planes with their nearest, and their surroundings. */
 class ParallelPlanes
 {
 public:
-  /** \param[in] height of the plane \param[in] is_line the nearest lie on a line */
+  /** \param[in] height of the plane \param[in] is_line whether the nearest lie on a line */
   void
   add (double height, const LayerSurrounding& surrounding, bool is_line)
   {
@@ -124,14 +126,14 @@ public:
     }
   }
 
-  /** Of the points that have some off their plane, those that see a layer next to theirs. */
+  /** The share of the points with others off their plane that see a layer next to theirs. */
   double
   shareStepped () const
   {
     return static_cast<double> (steps_.size ()) / off_;
   }
 
-  /** \param[in] flat how many points lie in planes, parallel or not */
+  /** \param[in] flat number of points in planes, parallel or not */
   bool
   areLayers (double flat)
   {
@@ -152,7 +154,7 @@ private:
     double height, size;
   };
 
-  /** Whether one lies about as far from \a height as \a way. */
+  /** Whether there is a plane about \a way off \a height. */
   bool
   hasPlane (double height, double way) const
   {
@@ -205,7 +207,7 @@ public:
   }
 
 private:
-  /** Notes the steps of the nodes where none was noted yet. */
+  /** Whether this level of thinning shows layers. Records the steps of nodes that have none yet. */
   bool
   showLayers (const std::vector<Differences>& differences, const Planes& planes)
   {
@@ -233,10 +235,10 @@ private:
   }
 
   const ThinnedSample& sample_;
-  std::vector<float> halvings_; // until the nearest of a point of the sample are not in a plane
-  std::vector<float> steps_;    // to the next layer, 0 where none was seen
-  double share_stepped_ = 0;    // at best, the share of the points off which there is anything, that see a layer
-  std::vector<Eigen::Vector3d> normals_; // of the planes of the least thinned cloud that shows layers
+  std::vector<float> halvings_;          // until the nearest of a point of the sample are not in a plane
+  std::vector<float> steps_;             // to the next layer, 0 if none is seen
+  double share_stepped_ = 0;             // the largest ParallelPlanes::shareStepped of all levels that show layers
+  std::vector<Eigen::Vector3d> normals_; // of the planes in the least thinned cloud that shows layers
 };
 } // namespace
 

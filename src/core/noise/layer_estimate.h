@@ -8,18 +8,18 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The layers in which the points of a cloud lie whose coordinates come in steps, as depth cameras give them: within
-  * one, neighbourhoods show no noise however large it is. */
+/** The layers formed by points whose coordinates come in steps, as from depth cameras: a neighbourhood within one
+  * layer shows no noise, however large it is. */
 struct LayerEstimate
 {
-  /** How often the number of points must be halved until the eight nearest lie in more than one layer. Without regions:
-    * there are no layers, or neighbourhoods as they are see past them. */
+  /** Number of halvings of the cloud after which the eight nearest lie in more than one layer. No regions: there are
+    * no layers, or neighbourhoods as they are see past them. */
   RegionalField halvings;
-  /** From one layer to the next, in the unit of the positions. */
+  /** Distance between neighbouring layers, in the unit of the positions. */
   RegionalField steps;
   /** Sigma over the step. */
   float noise_of_step = 0;
-  /** A depth camera at the origin saw them: the steps are along its rays. */
+  /** Whether the layers are from a depth camera at the origin, with steps along its rays. */
   bool are_of_camera = false;
 
   bool
@@ -29,12 +29,12 @@ struct LayerEstimate
   }
 };
 
-/** Looks at a sample of about 4,096 points.
+/** Uses a sample of about 4,096 points.
   *
-  * Layers are told from flat parts of a clean surface, plates and stairs by this: most of the points whose eight
-  * nearest lie exactly in a plane do so in parallel planes, and among the nearest 32, of all points or of a thinner
-  * cloud, those off the plane lie in one more plane above or below, and to one side.
-  * \param[in] graph its rows have at least eight points; else nothing is found */
+  * Layers are distinguished from flat parts of a clean surface, plates and stairs: an eighth of the points whose
+  * eight nearest lie exactly in a plane do so in parallel planes; and among the 32 nearest, in the whole cloud or a
+  * thinner one, those off the plane lie in one more plane above or below, and to one side.
+  * \param[in] graph with rows of at least eight points; otherwise nothing is found */
 LayerEstimate
 estimateLayers (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 } // namespace core

@@ -11,14 +11,16 @@ namespace core
 {
 namespace
 {
-// Of the distance of the eighth: what rounding leaves of a plane, and what is off it for certain.
+// In distances of the eighth nearest: deviation from a plane that rounding explains, and height of a point surely off
+// it.
 constexpr double flat_height = 1.2e-3;
 constexpr double off_height = 1.2e-2;
-constexpr int min_neighbors_off = 8; // fewer of another sheet may well lie to one side by chance
-// Of the way to what lies above or below: goes to one side, and is gone as far in the plane of the node.
+constexpr int min_neighbors_off = 8; // fewer points of another sheet may lie to one side by chance
+// Points above or below lie to one side if their mean way along the plane is more than this share of its mean length;
+// and the node's own plane has ended there if its points reach less than this share of that way.
 constexpr double min_share_aside = .6;
 constexpr double max_share_beneath = .25;
-constexpr double max_highest_over_lowest = 1.1; // of the heights of one layer
+constexpr double max_highest_over_lowest = 1.1; // ratio of heights within one layer
 
 /** The points above a node, below it, or in its plane. */
 class Part
@@ -34,8 +36,8 @@ public:
     ++count_;
   }
 
-  /** There are none, or they lie in one plane, to one side of the node, and not to that where those of its own plane
-    * are, as at the rim of a plate. */
+  /** Whether there are none, or they lie in one plane, to one side of the node, and not the side on which its own
+    * plane continues, as at the rim of a plate. */
   bool
   isNextLayer (const Part& own) const
   {
@@ -43,7 +45,7 @@ public:
                            own.mean ().dot (mean ()) < max_share_beneath * mean ().squaredNorm ());
   }
 
-  /** Infinity where there are none. */
+  /** Infinity if there are no points. */
   double
   lowest () const
   {
@@ -74,7 +76,7 @@ planeOf (const Differences& differences)
 {
   const PrincipalAxes axes = axesOfNearest (differences);
   const double flat = flat_height * differences[nearest_count - 1].norm ();
-  if (!(axes.variances[1] > flat * flat)) // copies, or a line
+  if (!(axes.variances[1] > flat * flat)) // copies, or points on a line
     return {};
   const Eigen::Vector3d mean = meanOfNearest (differences);
   const bool is_plane =

@@ -10,23 +10,23 @@ namespace pcl_normal_smoothing
 namespace core
 {
 /** \param[in] differences at least nearest_count
-  * \return the normal of the plane in which so many nearest lie exactly, where they do and span one */
+  * \return the normal of the plane in which the nearest_count nearest lie exactly; none if they do not, or span no
+  * plane */
 std::optional<Eigen::Vector3d>
 planeOf (const Differences& differences);
 
-/** What is around a node that lies in a plane with its nearest. */
+/** The surroundings of a node that lies in a plane with its nearest. */
 struct LayerSurrounding
 {
-  /** Some points lie off the plane. */
+  /** At least eight points lie off the plane. */
   bool is_off;
-  /** To the layer that begins where that of the node ends, > 0: points off the plane lie in one more plane above or
-    * below, and to one side. 0: there is none. */
+  /** Distance to a layer that begins where the node's ends, > 0: the points off the plane lie in one more plane
+    * above or below, and to one side. 0: there is no such layer. */
   double step;
 };
 
-/** Points that lie in planes and have others off these show layers where there are more of them than so many, and
-  * more than such a share of them see a layer next to theirs. Clean surfaces come to .03, depth cameras to .13 and
-  * more. */
+/** Points in planes show layers if more than min_count_off of them have others off their plane, and more than
+  * min_share_stepped of these see a layer next to theirs. Clean surfaces have up to .03, depth cameras .13 and more. */
 constexpr double min_count_off = 32, min_share_stepped = .1;
 
 /** \param[in] differences at least nearest_count

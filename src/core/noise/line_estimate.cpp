@@ -15,30 +15,30 @@ namespace core
 {
 namespace
 {
-// Of the variance along the line, that across it. Of points at random one in fifty comes below the first.
+// Upper bounds on the variance across a line over that along it. Points at random are below the first once in fifty.
 constexpr double surely_line = .1;
 constexpr double perhaps_line = .2;
 constexpr double min_share_of_lines = .06;
-// Of the variance across, that out of the plane: nothing but the line and its noise, which lies in the plane of the
+// Upper bounds on the variance out of the plane over that across: a line and its noise alone lie in the plane of the
 // scan.
 constexpr double surely_flat = .002;
 constexpr double perhaps_flat = .01;
 constexpr double min_share_flat = .3;
-// Between a facet and the surface that it is a part of lie smaller angles than between a scan and a wall.
+// A facet meets the surface that it belongs to at smaller angles than a scan plane meets a wall.
 constexpr double max_cosine_to_surface = .7;
 
-// Lines that meet the surface at 60 degrees and more are rays, on which several frames have a point each: their noise is
-// along them. Of a scanner's lines a twentieth seem so, of such frames a fifth and more.
+// Lines that meet the surface at 30 degrees or more are rays on which several frames have a point each: their noise is
+// along them. A twentieth of a scanner's lines seem to be rays, a fifth or more of such frames' lines.
 constexpr double max_cosine_to_line = .5;
 constexpr double max_share_of_rays = .1;
-// Fewer of all points lie on lines by chance, and these are straighter than others; but not as straight as this share of
-// the distance of the eighth nearest.
+// Below this share of points on lines, lines are chance. Points on lines by chance are straighter than others, but not
+// straighter than \a straight times the distance to the eighth neighbour.
 constexpr double min_share_on_lines = .2;
 constexpr double straight = 1e-3;
-// Of the noise that lines show: a little more than there is does no harm.
+// Upper bound on sigma over the noise that lines show; a slight overestimate does no harm.
 constexpr double most_of_noise_along = 1.2;
 
-/** How the nearest lie about a node. */
+/** The spread of the nearest points about a node. */
 struct Spread
 {
   explicit Spread (const Differences& differences) : axes (axesOfNearest (differences)) {}
@@ -46,13 +46,13 @@ struct Spread
   bool
   isFlat (double share) const
   {
-    return axes.variances[0] < share * axes.variances[1]; // out of the plane, across
+    return axes.variances[0] < share * axes.variances[1]; // out of the plane against across
   }
 
   PrincipalAxes axes;
 };
 
-/** A first look, for clouds with noise. */
+/** A quick check, which is all that most clouds need. */
 bool
 mayHaveLines (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
@@ -71,11 +71,11 @@ mayHaveLines (const NeighborGraph& graph, const Positions& nodes, const Executio
   return isShare (min_share_of_lines, lines) || isShare (min_share_flat, planes);
 }
 
-/** Follows a point from all of the cloud to thinner ones. */
+/** Follows a point from the whole cloud to thinner ones, until its nearest show the surface. */
 class LineEnd
 {
 public:
-  /** \param[in] spread after so many halvings, one more than at the last call */
+  /** \param[in] spread after \a halvings, which grow by one with every call */
   void
   see (const Spread& spread, int halvings)
   {
@@ -102,14 +102,14 @@ public:
     return static_cast<float> (halvings_);
   }
 
-  /** It was a line from the start, without noise as wide as its points are apart. */
+  /** Whether the line is one in the whole cloud already, with noise narrower than its points are apart. */
   bool
   isThin () const
   {
     return is_thin_;
   }
 
-  /** The line lies in the surface, and is no ray. */
+  /** Whether the line lies in the surface, and is not a ray. */
   bool
   isInSurface () const
   {
@@ -117,7 +117,7 @@ public:
   }
 
 private:
-  /** Noise as wide as the points are close makes a line look like a surface, but one without noise. */
+  /** Noise as wide as the spacing along a line makes it look like a surface, but a flat one. */
   void
   beginFlat (const Spread& spread)
   {
@@ -125,7 +125,8 @@ private:
     normal_ = spread.axes.normal;
   }
 
-  /** \return whether it does; so many halvings then show the surface, unless they show the same as before */
+  /** \return whether the nearest leave the plane; these halvings then show the surface, unless that is the plane
+    * itself */
   bool
   leavesPlane (const Spread& spread, int halvings)
   {
@@ -137,16 +138,16 @@ private:
   }
 
   int halvings_ = 0;
-  Eigen::Vector3d direction_; // of the nearest, from the start
-  Eigen::Vector3d surface_;   // its normal, as the last halving that was looked at shows it
+  Eigen::Vector3d direction_; // of the nearest in the whole cloud
+  Eigen::Vector3d surface_;   // its normal after the last halving considered
   bool is_thin_ = false;
   bool is_on_line_ = true;
   bool is_decided_ = false;
-  Eigen::Vector3d normal_ =
-      Eigen::Vector3d::Zero (); // of the plane in which a point lies from the start; none of a line
+  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero (); // of the plane of the nearest in the whole cloud; zero for a line
 };
 
-/** \param[in] unthinned, ends of the same nodes
+/** An upper bound on sigma from the noise along lines; infinity if they do not show it.
+  * \param[in] unthinned, ends of the same nodes
   * \param[in] reach median distance of the eighth nearest */
 float
 mostSigma (const std::vector<Differences>& unthinned, const std::vector<LineEnd>& ends, float reach)

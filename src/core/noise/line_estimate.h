@@ -10,14 +10,15 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The lines of a scanner that takes points much closer along them than across, as a lidar that turns: neighbourhoods
-  * of one line do not show the surface, and quadrics no noise, for the line and its noise lie in one plane or cone. */
+/** Lines of a scanner whose points are much closer along them than across, such as a rotating lidar: a neighbourhood
+  * on one line does not show the surface, and quadrics show no noise, as the line and its noise lie in one plane or
+  * cone. */
 struct LineEstimate
 {
-  /** How often the number of points must be halved until the eight nearest lie on more than one line, by regions. Without
+  /** Number of halvings of the cloud after which the eight nearest lie on more than one line, by regions. No
     * regions: there are no lines. */
   RegionalField halvings;
-  /** What is more than this is no noise but detail between the lines, in the unit of the positions. */
+  /** Upper bound on sigma: anything above is detail between the lines. In the unit of the positions. */
   float most_sigma = std::numeric_limits<float>::infinity ();
 
   bool
@@ -27,8 +28,8 @@ struct LineEstimate
   }
 };
 
-/** Looks at a sample of about 4,096 points.
-  * \param[in] graph its rows have at least eight points; else nothing is found */
+/** Uses a sample of about 4,096 points.
+  * \param[in] graph with rows of at least eight points; otherwise nothing is found */
 LineEstimate
 estimateLines (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 } // namespace core

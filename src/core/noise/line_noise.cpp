@@ -16,17 +16,17 @@ namespace
 constexpr std::size_t least_nodes = 64;
 constexpr std::size_t parabola_coefficients = 3;
 
-// Where noise is as wide as points of a line are close, more points show more of it, but not so much: another line does.
+// Upper bound on growth with more points: noise as wide as the spacing along the line grows less, another line more.
 constexpr double max_growth = 1.5;
 
 struct Size
 {
   std::size_t points;
-  double median; // of chi-square, over its degrees of freedom: the points without parabola_coefficients
+  double median; // of chi-square over its degrees of freedom: points - parabola_coefficients
 };
 constexpr std::array<Size, 3> sizes {{{8, .8703}, {12, .9270}, {16, .9492}}};
 
-/** The mean square of what a parabola leaves across the line. */
+/** Residual variance across the line after the fit of a parabola. */
 double
 varianceAcross (const Differences& differences, std::size_t count)
 {
@@ -42,7 +42,7 @@ varianceAcross (const Differences& differences, std::size_t count)
   }
   if (!(sq_sum > 0))
     return 0;
-  // Of the parabola only its bend is left: points and axis have no mean and no slope across.
+  // Only the curvature is left to fit: about the principal axis, points have no mean and no slope.
   double sq_across = 0, sq_bend = 0;
   Eigen::Vector3d bent = Eigen::Vector3d::Zero ();
   for (std::size_t j = 0; j < count; ++j) {

@@ -17,7 +17,7 @@ namespace core
 {
 namespace
 {
-constexpr float median_of_16 = .934f; // of chi-square by ten degrees of freedom, over these
+constexpr float median_of_16 = .934f; // of chi-square with 10 degrees of freedom, over these
 
 std::vector<std::vector<std::uint32_t>>
 neighborsInSample (const NoiseSample& sample, std::uint32_t count, const Execution& execution)

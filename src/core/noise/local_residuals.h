@@ -10,48 +10,48 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** What quadrics leave about the points of a sample where so many halvings thin the cloud, each a median over the point
-  * and those of the sample around it. */
+/** Residuals of quadrics around the points of a sample, in a cloud thinned by a number of halvings; each is a median
+  * over the point and those of the sample around it. */
 struct LocalResiduals
 {
-  /** Of the 16 nearest, as sigma. */
+  /** Residual sigma of the 16 nearest. */
   std::vector<float> sigmas;
   std::vector<float> spacings;
 
-  /** Of a point of the sample: sigma to the spacing. However the points lie it falls as the cloud is thinned, and tells
-    * how much of the noise quadrics follow. */
+  /** Sigma over the spacing at a point of the sample. For any arrangement of points it falls as the cloud is
+    * thinned, and shows how much of the noise quadrics follow. */
   double
   ratio (std::size_t s) const;
 
-  /** How many times as large sigma is there as in another cloud; 1 where both are 0. */
+  /** Sigma over that in a thicker cloud; 1 if both are 0. */
   double
   growthFrom (const LocalResiduals& thicker, std::size_t s) const;
 };
 
-/** What quadrics leave of the 16 nearest of one point, as sigma; 0 where there are too few. */
+/** Residual sigma of the 16 nearest of one point; 0 if there are too few. */
 float
 sigmaOfLargest (const NoiseSample::Residuals& residuals);
 
-/** Of the points near to one, as the nearest of a surface are spread. */
+/** The spacing around a point, taking its nearest to lie on a surface. */
 float
 spacingAt (const NoiseSample::Residuals& residuals);
 
-/** Those of a cloud, halved again and again. What was asked for is kept. */
+/** LocalResiduals of a cloud after any number of halvings. Results are cached. */
 class LocalResidualsOfCloud
 {
 public:
-  /** Of the sample, so near to each other that they show the same noise, and so many that it is known within a
-    * twentieth. */
+  /** Points of the sample per median: near enough to each other to show the same noise, and enough for it to be
+    * known within a twentieth. */
   static constexpr std::uint32_t points_of_median = 48;
 
   /** \param[in] cloud of a sample with at least points_of_median points; kept while this is used */
   LocalResidualsOfCloud (ThinnedNoise& cloud, const Execution& execution);
 
-  /** Infinity where the cloud is too thin for all points of the sample. \param[in] halvings up to mostHalvings */
+  /** All infinity if the cloud is too thin for some points of the sample. \param[in] halvings up to mostHalvings */
   const LocalResiduals&
   after (int halvings);
 
-  /** A point of the sample, and those around it. */
+  /** The points of the sample around one of them, itself included. */
   const std::vector<std::uint32_t>&
   around (std::size_t s) const
   {
@@ -79,7 +79,7 @@ private:
 
   ThinnedNoise& cloud_;
   std::vector<std::vector<std::uint32_t>> around_;
-  std::deque<LocalResiduals> residuals_; // by the number of halvings; what was given out stays where it is
+  std::deque<LocalResiduals> residuals_; // by the number of halvings; a deque, so that references stay valid
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -11,19 +11,19 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Why neighbourhoods as they are searched do not show the surface, and how much wider they have to be: points lie in
-  * layers, on lines, or the noise is wider than they are apart. */
+/** Why neighbourhoods as searched do not show the surface, and how much wider they have to be: points lie in layers
+  * or on lines, or the noise is wider than the spacing. */
 struct Widening
 {
   LayerEstimate layers;
-  /** See estimateLines; where there are layers, none are looked for. */
+  /** See estimateLines; not sought if there are layers. */
   LineEstimate lines;
-  /** See estimateWideNoise; where there are layers or lines, none is looked for. */
+  /** See estimateWideNoise; not sought if there are layers or lines. */
   WideNoise wide_noise;
-  /** Hides noise likewise, but calls for no wider neighbourhoods. */
+  /** Hides noise too, but does not call for wider neighbourhoods. */
   CoordinateRounding rounding;
 
-  /** Nothing that calls for wider neighbourhoods. */
+  /** Everything that does not call for wider neighbourhoods. */
   Widening
   roundingAlone () const
   {
@@ -36,7 +36,7 @@ struct Widening
     return !halvings ().regions.empty ();
   }
 
-  /** Neighbourhoods stay as they are, but points are to be projected: see WideNoise::ratios. */
+  /** Whether neighbourhoods stay as they are, and points are to be projected: see WideNoise::ratios. */
   bool
   projects () const
   {
@@ -47,7 +47,7 @@ struct Widening
   NoiseHiddenBy
   hiddenBy () const;
 
-  /** How often the number of points must be halved until neighbourhoods in what is left show the surface. */
+  /** Number of halvings of the cloud after which neighbourhoods in what is left show the surface. */
   const RegionalField&
   halvings () const
   {
@@ -55,23 +55,23 @@ struct Widening
   }
 };
 
-/** Looks at a sample of about 4,096 points. Where rows differ in length, for the rounding of coordinates alone.
+/** Uses a sample of about 4,096 points. If rows differ in length, only the rounding of coordinates is estimated.
   * \param[in] graph as for estimateLayers, estimateLines and estimateWideNoise */
 Widening
 estimateWidening (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
-/** Gives every node as many neighbours as it has, but farther away.
-  * \return null where rows stay as they are: they show the surface, or points are to be projected, or rows differ in
-  * length, for whoever bounds neighbourhoods by a radius means it */
+/** Replaces the neighbours of every node by as many that are farther away.
+  * \return null if rows stay as they are: they show the surface, or points are to be projected, or rows differ in
+  * length, as when the user bounds neighbourhoods by a radius */
 NeighborGraph::Ptr
 widenNeighborhoods (const NeighborGraph& graph,
                     const Positions& nodes,
                     const Widening& widening,
                     const Execution& execution);
 
-/** Projects the nodes where that is what shows the surface, and searches neighbourhoods of the same length again.
+/** Projects the nodes if only that shows the surface, and searches neighbourhoods of the same length again.
   * \param[in,out] nodes their offsets change
-  * \return null where they stay */
+  * \return null if they stay */
 NeighborGraph::Ptr
 projectNodes (const NeighborGraph& graph, const Widening& widening, const Execution& execution, Positions& nodes);
 } // namespace core

@@ -14,27 +14,27 @@ namespace core
 {
 namespace
 {
-/** A quadric follows the more of the noise the larger it is against the spacing: a factor of sigma.
-  * \param[in] ratio of sigma, as it is read, to the spacing */
+/** Correction factor for sigma: the larger the noise relative to the spacing, the more of it a quadric follows.
+  * \param[in] ratio of the estimated sigma to the spacing */
 double
 whatQuadricsFollow (double ratio)
 {
   return 1 + .3 * ratio + 1.2 * ratio * ratio;
 }
 
-/** How much too small quadrics make the noise look, by the ratio of the sigma that there is: of a point, not of the
-  * usual one, and on the large side. */
+/** Factor by which residuals make the noise of a single point look too small, by the ratio of its true sigma to the
+  * spacing around it; on the large side. */
 double
 whatDensityHides (double ratio)
 {
-  const double bounded = std::min (ratio, 10.0); // nearly copies
+  const double bounded = std::min (ratio, 10.0); // exceeded by near copies
   return std::sqrt (1 + 2.2 * bounded * bounded);
 }
 
-/** Of sigma, one for every point of a sample. */
+/** Factors on sigma, one per point of a sample. */
 using Factors = std::vector<double>;
 
-/** What turns the noise that a point shows into that of a place as dense as the cloud is, and with its usual noise. */
+/** Factors that convert the noise shown by a point to that of a place with the cloud's usual density and noise. */
 Factors
 correctionsOf (const NoiseSample& sample, const NoiseEstimate& noise)
 {
@@ -48,8 +48,8 @@ correctionsOf (const NoiseSample& sample, const NoiseEstimate& noise)
   return factors;
 }
 
-/** Calls \a use (place, variance) for all neighbourhoods of one size, the variances corrected; not for those that are
-  * too short to have one. */
+/** Calls \a use (place, variance) with the corrected variances of all neighbourhoods of one size, except those too
+  * short to have one. */
 template <typename Use>
 void
 forEachVariance (const NoiseSample& sample, const Factors& factors, std::size_t size, const Use& use)
@@ -69,8 +69,8 @@ corrected (const NoiseSample& sample, const Factors& factors)
   return variances;
 }
 
-/** How points lie on the surface: scattered all over it, perhaps in clumps here and there, or along the lines of a
-  * scanner, with gaps between these. */
+/** How points are distributed on the surface: all over it, with or without clumps here and there, or along the lines
+  * of a scanner, with gaps in between. */
 enum class Pattern
 {
   SCATTERED,
@@ -78,7 +78,7 @@ enum class Pattern
   SCAN_LINES
 };
 
-/** The variances of neighbourhoods of one size, each at its place. */
+/** The corrected variances of neighbourhoods of one size, with their places. */
 std::vector<LocalValue>
 localVariances (const NoiseSample& sample, const Factors& factors, std::size_t size)
 {
@@ -98,7 +98,7 @@ fieldOf (const NoiseSample& sample, Pattern pattern, double certainty_of_detail,
                              certainty_of_detail);
 }
 
-/** \param[in,out] noise, its spacing and field known */
+/** \param[in,out] noise with spacing and field known; sigma is set */
 void
 estimateSigma (const NoiseSample& sample, Pattern pattern, double certainty_of_detail, NoiseEstimate& noise)
 {
@@ -106,7 +106,7 @@ estimateSigma (const NoiseSample& sample, Pattern pattern, double certainty_of_d
   double certainty_of_slant = 0;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     const ResidualVariances variances = corrected (sample, correctionsOf (sample, noise));
-    if (iteration == 0) // the larger sigma is, the more does density seem to explain
+    if (iteration == 0) // later on sigma is larger, and density would seem to explain more
       certainty_of_slant = (1 - certainty_of_detail) * certaintyOfSlant (variances);
     const double sigma =
         pattern == Pattern::SCAN_LINES ? sigmaAcrossLines (variances) : sigmaBy (variances, certainty_of_slant);

@@ -17,38 +17,37 @@ namespace core
 namespace
 {
 constexpr std::size_t min_regions = 4;
-// No region is read as less or more: nothing divides by zero.
+// Bounds the factors of regions, from below by the inverse: nothing divides by zero.
 constexpr float max_factor = 32;
 
-/** How far regions are apart by chance, as the ratio of the 9th decile to the 1st, and by detail that looks like
-  * noise. */
+/** Ratio of the 9th to the 1st decile of the regions that chance, and detail that looks like noise, can explain. */
 double
 spreadByChance (double ratio)
 {
   return 1.4 + .04 / std::max (ratio, .04);
 }
 
-// So much more, and the field counts in full; in between it counts in part.
+// How far above that ratio the field counts in full; in between it counts in part.
 constexpr double spread_to_trust = .4;
 
-/** What is lower than the upper quartile inside of regions. */
+/** A quantile of the residuals within regions, to be compared with their upper quartile. */
 struct LowerQuantile
 {
   double level;
-  /** The upper quartile over it, of what twelve points leave of one noise: see quartile_ratio_of_12. */
+  /** Ratio of the upper quartile to this quantile for residuals of even noise over 12 points. */
   float of_noise;
-  /** More than that, as a ratio of sigmas, is detail's. Noise of cameras and scanners, edges among it: 1.16 and
+  /** A ratio of sigmas above this means detail; noise of cameras and scanners, edges included, reaches 1.16 and
     * 1.35. */
   double of_detail;
 };
 
-// Relief that is denser spoils the lower quartile too.
+// Dense relief affects the lower quartile too, hence the lowest decile.
 constexpr LowerQuantile lower_quantiles[] = {{.25, static_cast<float> (quartile_ratio_of_12), 1.2}, {.1, 3.557f, 1.4}};
-// Regions of smaller clouds are so large a part of them that noise and curvature vary inside; a hash does not choose a
-// sample to the point.
+// In smaller clouds a region is so large a part that noise and curvature vary within it. Not the full sample size:
+// sampling by hash is not exact to the point.
 constexpr std::size_t least_to_see_detail = noise_sample_size * 3 / 4;
 
-/** 0: the regions differ by chance. */
+/** How far differences between regions are trusted; 0: they may be chance. */
 double
 trustIn (const RegionalField& deviations, double ratio)
 {

@@ -10,13 +10,13 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The estimate from the sample of the whole cloud, as if its neighbourhoods needed no widening; nothing where most of
-  * its rows are short. */
+/** The estimate from a sample of the whole cloud, as if its neighbourhoods needed no widening; empty if most of its
+  * rows are short. */
 NoiseEstimate
 estimateNoise (const NoiseSample& sample);
 
-/** The same where neighbourhoods were widened. In layers: at least what steps of their size make of a surface, and it
-  * varies as the steps do. On lines: by neighbourhoods of twelve and sixteen points, for eight may still lie on one. */
+/** The same for widened neighbourhoods. In layers, sigma is at least what steps of their size cause, and varies as
+  * the steps do. On lines, only neighbourhoods of 12 and 16 points count, as 8 may still lie on one line. */
 NoiseEstimate
 estimateNoise (const NoiseSample& sample, const Widening& widening);
 } // namespace core

@@ -12,9 +12,9 @@ namespace core
 {
 namespace
 {
-// To the farthest neighbour, in sigmas: narrower neighbourhoods are lost in the noise. Every halving beyond that which
-// shows the noise makes them wider by the second, where nothing is lost by it. Maps with clumps are of rooms and
-// streets.
+// Distance of the farthest neighbour in sigmas: narrower neighbourhoods are lost in the noise. Every halving beyond the
+// one that shows the noise multiplies it by the second number, if nothing is lost by that. Maps with clumps count as
+// without loss: they are of rooms and streets.
 constexpr double least_reach = 4.25;
 constexpr double growth_of_reach = 1.58;
 } // namespace

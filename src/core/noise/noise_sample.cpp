@@ -13,17 +13,17 @@ namespace core
 namespace
 {
 constexpr std::uint32_t row_length = noise_row_length;
-constexpr std::array<std::size_t, 3> sizes = {8, 12, row_length}; // of the neighbourhoods that are asked
+constexpr std::array<std::size_t, 3> sizes = {8, 12, row_length}; // of the neighbourhoods
 
-/** The neighbourhoods of the nodes in a sample, one after the other, each filled up with the node itself. */
+/** The rows of the nodes in a sample, one after another, each padded with the node itself. */
 using SampleRows = std::vector<std::uint32_t>;
 
-// Of the way to the last of a row: nearer to each other than that are copies but for rounding, which have one noise.
+// In distances of the last point of a row: points nearer to each other are copies up to rounding, with the same noise.
 constexpr float copy_distance = 1e-3f;
 
-/** The nearest row_length of a row, the node first, without copies of others among them.
+/** Copies the node and its nearest, up to row_length, leaving out copies of points already there.
   * \param[in] row ascending by distance
-  * \param[out] begin room for row_length, filled up with the node itself */
+  * \param[out] begin room for row_length, padded with the node itself */
 template <typename NodeRow>
 void
 copyDistinct (const Positions& nodes, const NodeRow& row, std::uint32_t* begin)
@@ -58,7 +58,7 @@ rowsOfGraph (const NeighborGraph& graph,
   return rows;
 }
 
-/** As a graph of all would have them, which takes longer and more memory. */
+/** Rows as a graph of all nodes would have them, which would take more time and memory. */
 SampleRows
 searchedRows (const NeighborGraph& graph,
               const Positions& nodes,
@@ -85,12 +85,12 @@ searchedRows (const NeighborGraph& graph,
   return rows;
 }
 
-/** The rows of some nodes side by side, as a graph keeps those of a block, of positions of their own: those of the
-  * cloud, and a number for every one of them, lie far apart in memory. */
+/** The rows of some nodes in the layout of a graph's block, with their own copy of the positions: those in the cloud
+  * lie far apart in memory, and so would one value per node. */
 class SampleBlock
 {
 public:
-  /** Takes the rows of \a begin and of what follows it; behind the last one its own again. */
+  /** Takes the rows from \a begin on; lanes beyond the last row repeat it. */
   SampleBlock (const Positions& nodes, const SampleRows& rows, std::size_t begin)
   : positions_ {Vectors (size), Vectors (size), nodes.unit}, neighbors_ (size)
   {
@@ -100,12 +100,12 @@ public:
         const std::uint32_t i = j * lanes + lane;
         positions_.base[i] = nodes.base[row[j]];
         positions_.offset[i] = nodes.offset[row[j]];
-        neighbors_[i] = row[j] == row[0] ? lane : i; // the node itself, where the row has ended
+        neighbors_[i] = row[j] == row[0] ? lane : i; // the node itself beyond the end of the row
       }
     }
   }
 
-  /** \return what a quadric leaves of the nearest \a count of every row */
+  /** Residual variances of quadrics through the nearest \a count of every row. */
   std::array<float, block_size>
   variances (std::size_t count) const
   {
@@ -121,7 +121,7 @@ private:
   std::vector<std::uint32_t> neighbors_;
 };
 
-/** Of a node, without its variances. */
+/** Place and distance of a node, without variances. */
 NoiseSample::Residuals
 residualsAt (const Positions& nodes, const std::uint32_t* row)
 {
@@ -165,7 +165,7 @@ NoiseSample::join (const NoiseSample& part)
 std::size_t
 NoiseSample::dropPlanes ()
 {
-  constexpr float of_distance = 1e-3f; // sigma
+  constexpr float of_distance = 1e-3f; // sigma over the distance
   const auto isPlane = [] (const Residuals& residuals) {
     const float sigma = of_distance * residuals.distance;
     return residuals.variances[0] < sigma * sigma;
@@ -180,7 +180,7 @@ NoiseSample
 sampleNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
 {
   const std::vector<std::uint32_t> sample = sampleNodes (nodes, noise_sample_size, execution);
-  // A graph by radius, or of small neighbourhoods, does not show enough.
+  // A graph by radius, or of small neighbourhoods, has too short rows.
   const bool is_enough = graph.minRowLength () >= std::min<std::size_t> (row_length, graph.size ());
   const SampleRows rows =
       is_enough ? rowsOfGraph (graph, nodes, sample, execution) : searchedRows (graph, nodes, sample, execution);

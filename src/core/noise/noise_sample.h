@@ -9,46 +9,47 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Places of which the sample of the noise is. */
+/** Number of places in the sample of the noise. */
 constexpr std::size_t noise_sample_size = 4096;
 
-/** Length of the rows that are looked at, or of the whole cloud where that has fewer points. */
+/** Length of the rows that are used; the whole cloud if it has fewer points. */
 constexpr std::uint32_t noise_row_length = 16;
 
-/** What the sample of a cloud tells of its noise. The samples of its parts make that of the whole, in any order. */
+/** What a sample shows of the noise of a cloud. The samples of its parts, joined in any order, make that of the
+  * whole. */
 struct NoiseSample
 {
-  /** What quadrics leave about one point. */
+  /** Residuals of quadrics around one point. */
   struct Residuals
   {
-    /** Variances, through the 8, 12 and 16 nearest points, or all where there are fewer, as where some of the 16 are
-      * copies of others but for rounding; NaN where these are fewer than seven or all in one place. */
+    /** Variances for the 8, 12 and 16 nearest points, or for all if there are fewer, as when some of the 16 are
+      * copies up to rounding; NaN if fewer than seven are left or all lie in one place. */
     std::array<float, 3> variances;
-    /** Of the eighth; 0 where there are fewer. */
+    /** Distance of the eighth nearest; 0 if there are fewer. */
     float distance;
     Eigen::Vector3f place;
   };
 
   std::vector<Residuals> of_nodes;
-  /** Nodes that do not count: their rows have fewer than noise_row_length points, though the cloud has as many. */
+  /** Nodes that do not count: their rows have fewer than noise_row_length points, unlike the cloud. */
   std::size_t short_rows = 0;
 
   void
   join (const NoiseSample& part);
 
-  /** Leaves out nodes whose eight nearest lie in one plane exactly: in a layer they tell nothing. \return their
+  /** Removes nodes whose eight nearest lie exactly in one plane: within a layer they show nothing. \return their
     * number */
   std::size_t
   dropPlanes ();
 };
 
-/** That of a whole cloud.
-  * \param[in] graph where a row is shorter than noise_row_length, the neighbours are searched again */
+/** The sample of a whole cloud.
+  * \param[in] graph if a row is shorter than noise_row_length, neighbours are searched again */
 NoiseSample
 sampleNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
-/** That of a part of a cloud.
-  * \param[in] cloud_size finite points of the whole cloud */
+/** The sample of a part of a cloud.
+  * \param[in] cloud_size number of finite points in the whole cloud */
 NoiseSample
 sampleNoise (const NeighborGraph& graph,
              const Positions& nodes,

@@ -16,16 +16,15 @@ namespace core
 {
 namespace
 {
-// Of neighbours, times the ratio of sigma to the spacing: 3.2 sigma are within reach where they are equal, 2.1 where it
-// is 2.3.
+// Number of neighbours per ratio of sigma to the spacing: 3.2 sigma are within reach at a ratio of 1, 2.1 at 2.3.
 constexpr float neighbors_of_ratio = 32;
 constexpr long least_neighbors = 32;
-// Of sigma, after a projection; from that ratio on another one is worth its detail.
+// Share of sigma left by a projection; and the ratio above which another one is worth the detail it costs.
 constexpr float noise_left = .6f;
 constexpr float ratio_to_repeat = 1.2f;
 
 /** \param[in] ratio of sigma to the spacing
-  * \return how many neighbours show the surface; none where those of the rounds do */
+  * \return how many neighbours show the surface; 0 if those of the rounds do */
 std::uint32_t
 neighborCount (float ratio)
 {
@@ -35,7 +34,7 @@ neighborCount (float ratio)
                                                  static_cast<long> (max_projection_neighbors)));
 }
 
-/** Neighbourhoods in all of a cloud, a block of nodes at a time. */
+/** Neighbourhoods in the whole cloud, for one block of nodes at a time. */
 class BlocksInCloud
 {
 public:
@@ -49,7 +48,7 @@ public:
     std::vector<std::uint32_t> counts, row, neighbors;
   };
 
-  /** \param[in] countOf of a node: how many neighbours, itself included, or 0
+  /** \param[in] countOf gives the number of neighbours of a node, itself included, or 0
     * \return valid until \a scratch is used again */
   template <typename CountOf>
   BlockRows
@@ -79,7 +78,7 @@ private:
   std::size_t size_;
 };
 
-/** \param[in] left of the noise, after what has been projected */
+/** \param[in] left share of the noise left by previous projections */
 void
 projectOnce (const NeighborGraph& graph,
              const RegionalField& ratios,

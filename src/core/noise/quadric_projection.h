@@ -8,11 +8,11 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Where noise is wider than the spacing: moves every node onto a quadric through the nearest of all nodes, 32 to 128
-  * of them, the more the larger the noise; again and again, until what is left is hardly wider than the spacing.
-  * Neighbourhoods that are searched afterwards show the surface.
-  * \param[in] ratios of the noise's sigma to the spacing, by regions, at least one; nodes stay where it is below .75
-  * \param[in,out] nodes those of \a graph, whose rows do not matter; their offsets change */
+/** For noise wider than the spacing: moves every node onto a quadric through its nearest among all nodes, 32 to 128 of
+  * them, more for larger noise; repeatedly, until what is left is hardly wider than the spacing. Neighbourhoods
+  * searched afterwards show the surface.
+  * \param[in] ratios of sigma to the spacing, in at least one region; nodes stay where the ratio is below .75
+  * \param[in,out] nodes those of \a graph, whose rows are not used; their offsets change */
 void
 projectOntoQuadrics (const NeighborGraph& graph,
                      const RegionalField& ratios,

@@ -15,7 +15,7 @@ namespace
 {
 using Sample = std::vector<LocalValue>;
 
-/** Splits the sample in halves along its longest side, again and again. */
+/** Halves the sample along its longest side, recursively. */
 class RegionFinder
 {
 public:
@@ -44,7 +44,7 @@ private:
     box.sizes ().maxCoeff (&axis);
     const std::size_t middle = (begin + end) / 2;
     const auto at = [this] (std::size_t i) { return sample_.begin () + static_cast<std::ptrdiff_t> (i); };
-    const auto key = [axis] (const LocalValue& point) { // all of it: the order of the cloud must not tell
+    const auto key = [axis] (const LocalValue& point) { // complete, so that the order of the cloud does not matter
       const Eigen::Vector3f& place = point.place;
       return std::make_tuple (place[axis], place.x (), place.y (), place.z (), point.value);
     };

@@ -9,45 +9,45 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** What quadrics through the 8, 12 and 16 nearest leave about many points, each as a variance in the square of the
-  * positions' unit. */
+/** Residual variances of quadrics through the 8, 12 and 16 nearest of many points, in the square of the positions'
+  * unit. */
 using ResidualVariances = std::array<std::vector<float>, 3>;
 
-/** Their places in ResidualVariances. */
+/** Indices into ResidualVariances. */
 constexpr std::size_t of_8 = 0, of_12 = 1, of_16 = 2;
 
-/** The upper quartile of the variances of the 12 nearest over the lower one, where there is one noise: that of
-  * chi-square by 6 degrees of freedom. */
+/** Upper over lower quartile of the variances of the 12 nearest for even noise, as of chi-square with 6 degrees
+  * of freedom. */
 constexpr double quartile_ratio_of_12 = 2.27;
 
-/** The same of sixteen points. */
+/** The same for the 16 nearest. */
 constexpr double quartile_ratio_of_16 = 1.863;
 
-/** The smallest neighbourhoods that tell of the noise, of_8 or of_12: coordinates in steps as large as the noise (depth
-  * cameras) often put the eight nearest in one plane exactly. */
+/** The smallest neighbourhoods that show the noise, of_8 or of_12: if coordinates come in steps as large as the
+  * noise (depth cameras), the eight nearest often lie exactly in one plane. */
 std::size_t
 smallestToTrust (const ResidualVariances& variances);
 
-/** How sure it is, 0 to 1, that the noise goes not along the normal but along rays, and points show less of it where
-  * these meet the surface at a slant: then the lower quantiles are too low for one sigma. Detail and edges make the
-  * highest too high instead, and that of large neighbourhoods most.
+/** Certainty, 0 to 1, that the noise is not along the normal but along rays, so that points show less of it where rays
+  * meet the surface at a slant: then the lower quantiles are too low for a single sigma. Detail and edges make the
+  * highest quantile too high instead, most of all for large neighbourhoods.
   * \param[in] variances at least one of each size */
 double
 certaintyOfSlant (const ResidualVariances& variances);
 
-/** Sigma of the noise: what is left of the variances without edges, curvature and other sheets; with slant, that of the
-  * surfaces that face the rays.
+/** Sigma of the noise, from the variances without the effects of edges, curvature and other sheets; with slant, that of
+  * the surfaces that face the rays.
   * \param[in] variances at least one of each size */
 double
 sigmaBy (const ResidualVariances& variances, double certainty_of_slant);
 
-/** The same where density jumps from point to point, as that of the vertices of coarse meshes: the eight nearest often
-  * lie in a clump or along a line, where many a quadric goes through all of them, so that sigmaBy is too small.
-  * \param[in] sigma as it is without \return \a sigma or more */
+/** Sigma where density jumps from point to point, as among the vertices of coarse meshes: the eight nearest often lie
+  * in a clump or along a line, so that many quadrics pass through all of them, and sigmaBy is too small.
+  * \param[in] sigma without this correction \return \a sigma or more */
 double
 sigmaInClumps (const ResidualVariances& variances, double sigma);
 
-/** The same where points lie along lines, of which eight nearest show only one: see estimateLines. */
+/** Sigma for points along lines, where the eight nearest show only one line: see estimateLines. */
 double
 sigmaAcrossLines (const ResidualVariances& variances);
 } // namespace core

@@ -21,7 +21,7 @@ namespace
 constexpr double min_share_turned = .06;
 constexpr double max_cosine_turned = .7;
 
-/** Those of the largest neighbourhoods. */
+/** The finite residual variances of the largest neighbourhoods. */
 std::vector<float>
 variancesOf (const NoiseSample& sample)
 {

@@ -14,23 +14,22 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The estimate from the sample of a thinned cloud. There detail looks like clumps, so that none are looked for. */
+/** The estimate from the sample of a thinned cloud. Clumps are not sought, as detail looks like them there. */
 NoiseEstimate
 estimateThinnedNoise (const NoiseSample& sample);
 
-/** The noise as neighbourhoods in thinner clouds show it: in all of a cloud, in half of it, a quarter ... What was
-  * asked for is kept. */
+/** The noise as shown by neighbourhoods in the whole cloud, in half of it, a quarter and so on. Results are cached. */
 class ThinnedNoise
 {
 public:
-  /** \param[in] graph of all nodes, its rows have at least 16 points; all kept while this is used */
+  /** \param[in] graph of all nodes, with rows of at least 16 points; all arguments kept while this is used */
   ThinnedNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
-  /** How often the cloud can be halved. */
+  /** Upper bound on the number of halvings. */
   int
   mostHalvings () const;
 
-  /** Where so many halvings thin the cloud, up to mostHalvings; 0: as it is. */
+  /** After the given number of halvings, up to mostHalvings; 0: the cloud as it is. */
   const NoiseSample&
   sample (int halvings)
   {
@@ -43,31 +42,31 @@ public:
     return shown (halvings).noise;
   }
 
-  /** Of sigma to the spacing of the thinned cloud; 0 where too few distinct points are left. */
+  /** Sigma over the spacing of the thinned cloud; 0 if too few distinct points are left. */
   double
   ratio (int halvings);
 
-  /** Of the largest neighbourhoods, the upper quartile over the sample of what their quadrics leave: a length. */
+  /** Upper quartile over the sample of the residuals of the largest neighbourhoods; a length. */
   double
   residual (int halvings)
   {
     return shown (halvings).residual;
   }
 
-  /** Of the largest neighbourhoods, the upper quartile over the lower one of the variances that their quadrics leave:
-    * of one noise quartile_ratio_of_16, of two sheets less, of detail more. */
+  /** Upper over lower quartile of the residual variances of the largest neighbourhoods: quartile_ratio_of_16 for
+    * even noise, less for two sheets, more for detail. */
   double
   spread (int halvings)
   {
     return shown (halvings).spread;
   }
 
-  /** From the points of the sample to their nearest where so many halvings thin the cloud: see ThinnedSample. */
+  /** Differences from the points of the sample to their nearest after that number of halvings: see ThinnedSample. */
   std::vector<Differences>
   differencesAfter (int halvings) const;
 
-  /** Whether planes through the nearest half of a neighbourhood often are others than those through all of it: where it
-    * is a ball or a ribbon inside the noise. */
+  /** Whether planes through the nearest half of a neighbourhood often differ from those through all of it, as when
+    * it is a ball or a ribbon inside the noise. */
   bool
   hasTurningPlanes () const;
 
@@ -75,7 +74,7 @@ public:
   double
   thickness () const;
 
-  /** Of the nodes. */
+  /** Number of nodes. */
   std::size_t
   size () const
   {
@@ -106,7 +105,7 @@ private:
   const Positions& nodes_;
   const Execution& execution_;
   std::vector<std::uint32_t> sample_;
-  std::deque<Shown> shown_; // by the number of halvings; what was given out stays where it is
+  std::deque<Shown> shown_; // by the number of halvings; a deque, so that references stay valid
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -10,19 +10,18 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The neighbours of about 512 nodes, as the graph has them: a first look, which is cheap. */
+/** The differences to the neighbours of about 512 nodes, as the graph has them, for a quick check. */
 std::vector<Differences>
 quickSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
-/** What neighbourhoods as they are, and wider ones, show at a sample of a cloud: the nearest in all of it, in half of
-  * it, a quarter ... */
+/** The neighbourhoods of a sample in the whole cloud, in half of it, a quarter and so on. */
 class ThinnedSample
 {
 public:
-  /** \param[in] graph of all nodes, at least one; all kept while this is used */
+  /** \param[in] graph of all nodes, at least one; all arguments kept while this is used */
   ThinnedSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 
-  /** The levels of thinning: the cloud as it is, and as often as it can be halved. */
+  /** Number of levels of thinning: the cloud as it is, and one for each possible halving. */
   int
   levelCount () const
   {
@@ -36,18 +35,18 @@ public:
     return nodes_of_sample_.size ();
   }
 
-  /** From the points of the sample to the 32 nearest where so many halvings thin the cloud; filled up with zeros. */
+  /** Differences from the points of the sample to the 32 nearest after that number of halvings; padded with zeros. */
   std::vector<Differences>
   differencesAfter (int halvings) const;
 
-  /** Of a point of the sample. */
+  /** The place of a point of the sample. */
   Eigen::Vector3d
   place (std::size_t s) const
   {
     return (nodes_.base[nodes_of_sample_[s]] + nodes_.offset[nodes_of_sample_[s]]).cast<double> ();
   }
 
-  /** \param[in] values one for every point of the sample */
+  /** \param[in] values one per point of the sample */
   std::vector<LocalValue>
   atPlaces (const std::vector<float>& values) const;
 

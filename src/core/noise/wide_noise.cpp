@@ -4,8 +4,8 @@
 #include "wide_noise_of_part.h"
 
 #include "../search/hash_sample.h"
+#include "../sheets/sheet_criterion.h"
 #include "../sheets/sheet_detection.h"
-#include "../sheets/sheet_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,39 +17,39 @@ namespace core
 {
 namespace
 {
-// Ratios of sigma, as it is estimated, to the spacing; and drops, of the ratio in a halved cloud to that before: see
+// Ratios are of the estimated sigma to the spacing; drops are of the ratio in a halved cloud to that before: see
 // noise_reach.h.
 
-// Evenly sampled surfaces show noise up to this ratio well enough to be smoothed as they are. From there on the ratio
-// grows no more with the noise, which is hidden whatever the drop.
+// Up to this ratio evenly sampled surfaces show noise well enough to be smoothed as they are. Beyond, the ratio no
+// longer grows with the noise, which is hidden whatever the drop.
 constexpr double saturated_ratio = .85;
-// Points at random places hardly show more than half a spacing, however large the noise: a ratio above this is of
-// points spread evenly. Below it, the first halving has to drop the ratio further.
+// Points at random places hardly ever show more than half a spacing, however large the noise: a ratio above this means
+// evenly spread points. Below it, the first halving must drop the ratio further.
 constexpr double random_sampling_ratio = .67;
 constexpr double resolved_drop_first = .79;
-// Enough of a drop for the halving that first resolves the noise, whatever the next one shows: where sheets lie farther
-// apart it may show more again.
+// A drop that suffices for the halving that first resolves the noise, whatever the next one shows: sheets farther apart
+// may raise the ratio again.
 constexpr double resolved_drop_at_once = .75;
-// The thinnest cloud cannot be halved to see the ratio drop. But there the ratio of a volume is larger than the first,
-// or than the second on average over the last two; or else its wide parts are thicker.
+// The thinnest cloud cannot be halved to see the ratio drop. But there a volume has a larger ratio than the first of
+// these, and on average over the last two clouds larger than the second; or its wide parts are thicker than the third.
 constexpr double resolved_ratio_of_last = .32, resolved_ratio_of_last_two = .335;
 constexpr double max_thickness = .45;
 // Where points lie in clumps, as where sweeps of a lidar cross, these hide the noise, while the usual spacing is that
-// of other places: so the ratio may be as small as this. There planes through few points are not those through more,
-// and the ratio hardly drops, by one halving or by two. In small clouds detail does the same; so a quarter of the cloud
-// has to be a whole sample.
+// of other places: so the ratio may be as small as this. There, planes through few points differ from those through
+// more, and the ratio hardly drops by one halving or by two. Detail in small clouds does the same, so a quarter of the
+// cloud must still be a whole sample.
 constexpr double clumped_ratio = .1;
 constexpr double resolved_drop_in_clumps = .92, resolved_drop_of_two = .7;
-// Half of the points of a volume lie 1.26 times as far apart, and what quadrics leave of it grows no more; of detail it
-// grows faster.
+// Half the points of a volume lie 1.26 times as far apart, and its residuals grow no more than that; those of detail
+// grow faster.
 constexpr double max_growth_in_clumps = 1.4;
 constexpr std::size_t least_to_quarter = 4 * noise_sample_size;
-// Where all points lie in clumps, as in the frames of a camera that stands still, sixteen reach beyond a clump: what
-// quadrics leave of them grows little, and not at all once the noise is resolved. Sigma then is the same as well, and
-// larger than it was.
+// Where all points lie in clumps, as in the frames of a camera that stands still, the 16 nearest reach beyond a clump:
+// their residuals grow little, and not at all once the noise is resolved. Sigma then stays the same too, and is larger
+// than in the whole cloud.
 constexpr double max_growth_of_clumps = 2, max_growth_resolved = 1.05;
 constexpr double min_gain_of_sigma = 1.5, max_gain_resolved = 1.15;
-// And it differs from place to place as it does of one noise: see ThinnedNoise::spread.
+// And residuals differ from place to place as for even noise: see ThinnedNoise::spread.
 constexpr double min_spread = .96 * quartile_ratio_of_16, max_spread = 1.13 * quartile_ratio_of_16;
 
 bool
@@ -71,7 +71,7 @@ showsOneNoise (ThinnedNoise& noise, int halvings)
   return noise.spread (halvings) > min_spread && noise.spread (halvings) < max_spread;
 }
 
-/** As halvingsToResolve, where all points lie in clumps. */
+/** halvingsToResolve where all points lie in clumps. */
 int
 halvingsToResolveClumps (ThinnedNoise& noise)
 {
@@ -87,8 +87,8 @@ halvingsToResolveClumps (ThinnedNoise& noise)
   return 0;
 }
 
-/** \return how often the cloud has to be halved, as a whole, to resolve its noise; 0 where that needs no halving, or
-  * where no surface is seen however often: leaves and grass stay as they are */
+/** \return number of halvings of the whole cloud that resolve its noise; 0 if none is needed, or if no number shows
+  * a surface: leaves and grass stay as they are */
 int
 halvingsToResolve (ThinnedNoise& noise)
 {
@@ -111,7 +111,7 @@ halvingsToResolve (ThinnedNoise& noise)
              : 0;
 }
 
-/** Seen with 32 neighbours, whatever the rows of the graph. */
+/** Detects sheets with 32 neighbours, whatever the rows of the graph. */
 SheetDetection
 detectSheets (const Positions& cloud, const NoiseEstimate& noise, const Execution& execution)
 {
@@ -124,8 +124,8 @@ detectSheets (const Positions& cloud, const NoiseEstimate& noise, const Executio
                        execution);
 }
 
-/** Close sheets look like wide noise; and so do clumps inside the noise, but these do not show two peaks, and show one
-  * noise where they are thin enough. */
+/** Close sheets look like wide noise. So do clumps inside the noise, but these do not show two peaks, and show
+  * even noise when thin enough. */
 bool
 mayBeSheets (ThinnedNoise& cloud, int to_resolve, const SheetDetection& sheets)
 {
@@ -151,8 +151,8 @@ wideNoiseOfCloud (ThinnedNoise& cloud, int to_resolve)
     wide.ratios = regionalMedians (ratios, noise.spacing);
   return wide;
 }
-/** Where it varies, halvings that resolve the noise of the whole cloud are too many here and too few there. But in
-  * clumps only the whole shows it. */
+/** If the noise varies, halvings that resolve that of the whole cloud are too many in some places and too few in
+  * others. But for clumps only the whole cloud shows it. */
 WideNoise
 wideNoiseOf (ThinnedNoise& cloud, int to_resolve, const Execution& execution)
 {

@@ -17,35 +17,35 @@ namespace core
 {
 namespace
 {
-// Ratios of LocalResiduals. Noise of .7 spacings has the first, and quadrics leave .85 of it; larger noise has no more
-// than .8, of which half and more is hidden. Below the second, quadrics leave nearly all of it.
+// Ratios of LocalResiduals. The first is that of noise of .7 spacings, with residuals of .85 of it; larger noise, half
+// or more of it hidden, has at most .8. Below the second, residuals show nearly all of the noise.
 constexpr double hidden_ratio = .6, shown_ratio = .45;
-// A halving makes what quadrics leave of noise at most 1.27 times as large, and hardly larger once it is shown. These
-// are for medians of 48 points; of detail it grows to twice and more.
+// Upper bounds on the growth of residuals by a halving, for medians of 48 points. Residuals of noise grow up to 1.27
+// times, and hardly once it is shown; those of detail twofold and more.
 constexpr double max_growth = 1.5, max_growth_shown = 1.25;
-// Two sheets look like noise that is hidden, but their heights are bimodal. Of the 32 nearest the medians over places
-// around are .42 for noise, .35 to .54 at single places, and .5 to .77 for thin walls. The first is for all places
-// where noise is shown, the second for one.
+// Two sheets look like hidden noise, but their heights are bimodal. For the 32 nearest, medians over neighbouring
+// places are .42 for noise, .35 to .54 at single places, and .5 to .77 for thin walls. The first bound is for all
+// places where noise is shown, the second for one.
 constexpr float max_bimodality = .46f, max_bimodality_of_place = .55f;
-// Where noise was never hidden, it is shown by the first of so many halvings, or it is not told from detail; and it
-// grows less, for nothing is at stake there but that sigma is read too small.
+// Noise that was never hidden must show within this many halvings to be told from detail; and it may grow less, as
+// nothing is at stake but an underestimated sigma.
 constexpr int most_halvings_to_show = 3;
 constexpr double max_growth_plain = 1.15, max_growth_plain_of_two = 1.2;
-// Of a sample of 4,096; fewer points than one neighbourhood of it are found by chance.
+// Of a sample of 4,096; fewer places than a neighbourhood has points may be there by chance.
 constexpr std::size_t least_part = 32;
-constexpr std::size_t region_size = 16; // medians were taken before
-// Below 0: places count for each other, and near ones should not grow for the sake of far ones.
+constexpr std::size_t region_size = 16; // small, as values are medians already
+// Below 0: the field averages over regions, and near places should not grow for the sake of far ones.
 constexpr float halvings_beside = -1;
-constexpr double min_variation = 1.8; // of sigma; what is read of even noise varies by 1.6
+constexpr double min_variation = 1.8; // ratio of sigmas; even noise seems to vary by 1.6
 
-/** The noise of a place, as so many halvings show it; sigma 0: they do not. */
+/** The noise of a place, as shown after that number of halvings; sigma 0 if it is not shown. */
 struct ShownNoise
 {
   int halvings = 0;
   float sigma = 0;
 };
 
-/** sigma, of what quadrics through 16 points leave. \param[in] ratio up to shown_ratio */
+/** sigma, corrected for what quadrics through 16 points follow, for ratios up to shown_ratio. */
 float
 sigmaOfShown (const LocalResiduals& residuals, std::size_t s)
 {
@@ -59,7 +59,7 @@ isHidden (LocalResidualsOfCloud& cloud, std::size_t s)
   return cloud.after (0).ratio (s) >= hidden_ratio;
 }
 
-/** A first look, which is cheap. */
+/** A quick check. */
 bool
 mayHideNoise (const NoiseSample& sample)
 {
@@ -70,8 +70,8 @@ mayHideNoise (const NoiseSample& sample)
   return hidden.size () >= least_part;
 }
 
-/** Of a place where it is hidden. Nothing is shown where there is detail, or no surface however often the cloud is
-  * halved. */
+/** The noise of a place where it is hidden; not shown if there is detail, or if no number of halvings shows a
+  * surface. */
 ShownNoise
 hiddenNoise (LocalResidualsOfCloud& cloud, std::size_t s)
 {
@@ -87,7 +87,7 @@ hiddenNoise (LocalResidualsOfCloud& cloud, std::size_t s)
   return {};
 }
 
-/** \return sigma of a place where little or nothing is hidden; 0: there is detail */
+/** \return sigma of a place where little or nothing is hidden; 0 if there is detail */
 float
 plainSigma (LocalResidualsOfCloud& cloud, std::size_t s)
 {
@@ -100,7 +100,7 @@ plainSigma (LocalResidualsOfCloud& cloud, std::size_t s)
   return 0;
 }
 
-/** Of the heights about the places where noise is shown, as the halvings that show it thin the cloud. */
+/** Bimodality of the heights around places where noise is shown, after the halvings that show it; 0 at other places. */
 std::vector<float>
 bimodalities (const std::vector<ShownNoise>& noise, const ThinnedNoise& thinned)
 {
@@ -116,7 +116,7 @@ bimodalities (const std::vector<ShownNoise>& noise, const ThinnedNoise& thinned)
   return of_places;
 }
 
-/** The median by sigma of what is shown at places, where there is any. */
+/** The median, by sigma, of the noise at some places, at least one. */
 ShownNoise
 usualNoise (const std::vector<std::uint32_t>& places, const std::vector<ShownNoise>& noise)
 {
@@ -139,7 +139,7 @@ medianOf (const std::vector<std::uint32_t>& places, const std::vector<float>& va
   return quantile (of_places, .5);
 }
 
-/** At the places of the sample; sigma 0 where nothing is hidden. */
+/** The hidden noise at the places of the sample; sigma 0 where nothing is hidden. */
 std::vector<ShownNoise>
 hiddenNoise (LocalResidualsOfCloud& cloud, const ThinnedNoise& thinned)
 {
@@ -157,7 +157,7 @@ hiddenNoise (LocalResidualsOfCloud& cloud, const ThinnedNoise& thinned)
     shown.erase (std::remove_if (shown.begin (), shown.end (), [&] (auto other) { return !isShown (other); }),
                  shown.end ());
     if (3 * shown.size () < cloud.around (s).size ())
-      continue; // a few, by chance
+      continue; // few of them, hence by chance
     around_shown.push_back (medianOf (shown, of_heights));
     if (around_shown.back () < max_bimodality_of_place)
       usual[s] = usualNoise (shown, noise);
@@ -165,7 +165,7 @@ hiddenNoise (LocalResidualsOfCloud& cloud, const ThinnedNoise& thinned)
   return quantile (around_shown, .5) < max_bimodality ? usual : std::vector<ShownNoise> (cloud.size ());
 }
 
-/** As halvingsWithoutLoss, of the places that hide noise. */
+/** halvingsWithoutLoss of noise_reach.h for the places that hide noise. */
 int
 halvingsWithoutLoss (LocalResidualsOfCloud& cloud, const std::vector<ShownNoise>& noise)
 {
@@ -181,7 +181,8 @@ halvingsWithoutLoss (LocalResidualsOfCloud& cloud, const std::vector<ShownNoise>
   return without_loss;
 }
 
-/** To the spacing that the cloud has on the surface: the nearest of a ball inside the noise are farther apart. */
+/** Sigma over the cloud's spacing on the surface, derived from the thinned cloud: inside a ball of noise the nearest
+  * are farther apart. */
 float
 ratioToSpacing (const ShownNoise& noise, LocalResidualsOfCloud& cloud, std::size_t s)
 {
@@ -189,7 +190,7 @@ ratioToSpacing (const ShownNoise& noise, LocalResidualsOfCloud& cloud, std::size
   return noise.sigma / of_thinned * std::exp2 (.5f * static_cast<float> (noise.halvings));
 }
 
-/** At the places of the sample, whatever hides there. */
+/** Sigma at the places of the sample, hidden or not. */
 std::vector<LocalValue>
 sigmasOf (const std::vector<ShownNoise>& hidden, const NoiseSample& sample, LocalResidualsOfCloud& cloud)
 {
@@ -203,7 +204,7 @@ sigmasOf (const std::vector<ShownNoise>& hidden, const NoiseSample& sample, Loca
   return sigmas;
 }
 
-/** How often the cloud has to be halved, at the places of the sample. */
+/** Number of halvings of the cloud needed at the places of the sample. */
 std::vector<LocalValue>
 halvingsOf (const std::vector<ShownNoise>& hidden,
             const NoiseSample& sample,
@@ -220,7 +221,7 @@ halvingsOf (const std::vector<ShownNoise>& hidden,
   return halvings;
 }
 
-/** Whether some of the noise is so much larger that it is not the same everywhere, which is sought elsewhere. */
+/** Whether the noise varies enough; wide noise that is the same everywhere is sought in wide_noise.cpp. */
 bool
 varies (const std::vector<float>& sigmas)
 {
@@ -246,7 +247,7 @@ wideNoiseOfPart (ThinnedNoise& thinned, const Execution& execution)
     values.push_back (sigma.value);
   WideNoise noise;
   noise.sigma = quantile (values, .5);
-  if (!(noise.sigma > 0) || !varies (values)) // most of the cloud is clean; or none of it is
+  if (!(noise.sigma > 0) || !varies (values)) // most of the cloud is clean, or the noise is the same everywhere
     return {};
   noise.field = relativeField (regionalMedians (sigmas, spacing, region_size), noise.sigma);
   noise.halvings = regionalMedians (halvingsOf (hidden, sample, thinned.rowLength (), cloud), spacing, region_size);

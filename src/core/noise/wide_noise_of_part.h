@@ -9,8 +9,8 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Where the noise is wide in a part of the cloud only, or differs from place to place: that of depth cameras grows as
-  * the square of the distance, the spacing as the distance. \return sigma 0 where it is so nowhere */
+/** Noise that is wide in a part of the cloud only, or varies: that of depth cameras grows with the square of the
+  * distance, their spacing with the distance. \return sigma 0 if there is none */
 WideNoise
 wideNoiseOfPart (ThinnedNoise& cloud, const Execution& execution);
 } // namespace core

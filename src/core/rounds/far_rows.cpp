@@ -20,7 +20,7 @@ FarRows::FarRows (const NeighborGraph& graph, const NodeArrays& nodes, const Exe
     for (std::size_t node = begin; node < end; ++node)
       row_lengths_[node] = static_cast<std::uint8_t> (std::min (graph.row (node).size (), max_row_length));
   });
-  // Lanes behind the last node may be left out.
+  // The kernel may skip lanes beyond the last node.
   std::fill (ranks_.end () - static_cast<std::ptrdiff_t> (std::min (ranks_.size (), block_size * far_row_length)),
              ranks_.end (), std::uint8_t (0));
   const FarRowsStep step = {nodes, block_rows.data (), row_lengths_.data (), ranks_.data ()};

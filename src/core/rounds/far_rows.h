@@ -9,17 +9,17 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Neighbourhoods about twice as wide as those of a graph, of 16 points, without a search. In place of a neighbour j of
-  * i stands the neighbour of j that is nearest to p_i + 2 (p_j - p_i), among the five whose rank in j's row is about
-  * that of j in i's row. What is in no row, as the points of another sheet, does not come in. */
+/** Neighbourhoods of 16 points, about twice as wide as those of a graph, found without a search. Each neighbour j of
+  * i is replaced by the neighbour of j nearest to p_i + 2 (p_j - p_i), among the five whose rank in j's row is close
+  * to that of j in i's row. Points that are in no row, such as those of another sheet, never occur. */
 class FarRows
 {
 public:
   /** \param[in] graph kept while this is used
-    * \param[in] nodes where the nodes are; not kept, and their normals not read */
+    * \param[in] nodes positions of the nodes; not kept, and their normals not read */
   FarRows (const NeighborGraph& graph, const NodeArrays& nodes, const Execution& execution);
 
-  /** What the rows of a block are put into. */
+  /** Storage for the rows of a block. */
   struct alignas (64) Buffer
   {
     std::uint32_t neighbors[far_row_length * block_size];
@@ -31,8 +31,9 @@ public:
 
 private:
   const NeighborGraph& graph_;
-  PaddedVector<std::uint8_t> row_lengths_; // of all nodes, max_row_length at most
-  PaddedVector<std::uint8_t> ranks_;       // of what stands there among the neighbour's neighbours: 0 is the neighbour
+  PaddedVector<std::uint8_t> row_lengths_; // per node, at most max_row_length
+  // Rank of the far neighbour within the neighbour's row; 0 is the neighbour itself.
+  PaddedVector<std::uint8_t> ranks_;
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

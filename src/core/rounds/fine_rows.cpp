@@ -10,10 +10,10 @@ namespace core
 {
 namespace
 {
-// Of sigma to the spacing. The fine_k nearest reach 3.8 sigmas then.
+// Lower bound on sigma over the spacing. The fine_k nearest then reach 3.8 sigmas.
 constexpr float wide_ratio = .6f;
 
-/** How far apart points are, from the distance of the farthest of the max_row_length nearest. */
+/** The local spacing, from the distance of the farthest of the max_row_length nearest. */
 float
 spacingIn (const Row& row, const Positions& positions)
 {
@@ -24,7 +24,7 @@ spacingIn (const Row& row, const Positions& positions)
   return reach.norm () * std::sqrt (static_cast<float> (M_PI) / static_cast<float> (size));
 }
 
-/** The mean over the node and its neighbours: that of one alone scatters by a tenth. */
+/** The mean over the node and its neighbours: a single value scatters by a tenth. */
 float
 meanIn (const Row& row, const Numbers& spacings)
 {
@@ -71,7 +71,7 @@ FineRows::ofBlock (const BlockRows& rows, Buffer& buffer) const
   if (wide == block_size)
     return {rows.neighbors, length};
   for (std::size_t j = 0; j < length; ++j)
-    for (std::size_t lane = 0; lane < block_size; ++lane) // behind the end of a row stands the node itself
+    for (std::size_t lane = 0; lane < block_size; ++lane) // a row is padded with the node itself
       buffer.neighbors[j * block_size + lane] =
           rows.neighbors[(j < fine_k || isWide (lane) ? j * block_size : 0) + lane];
   return {buffer.neighbors, length};

@@ -12,32 +12,32 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The neighbourhoods of the fine rounds: the fine_k nearest where these reach out of the noise; max_row_length where
-  * they would be lost in it, which is in dense places first. */
+/** Neighbourhoods of the fine rounds: the fine_k nearest where they are wider than the noise; else, mostly in dense
+  * places, max_row_length. */
 class FineRows
 {
 public:
-  /** What the rows of a block are put into. */
+  /** Storage for the rows of a block. */
   struct alignas (64) Buffer
   {
     std::uint32_t neighbors[max_row_length * block_size];
   };
 
-  /** All nodes look at fine_k. \param[in] graph kept while this is used */
+  /** All nodes use fine_k neighbours. \param[in] graph kept while this is used */
   explicit FineRows (const NeighborGraph& graph) : graph_ (graph) {}
 
-  /** Asks how far apart points are around every node: its neighbours' rows are read.
+  /** Computes the spacing around every node, from its row and those of its neighbours.
     * \param[in] graph kept while this is used
     * \param[in] positions of the nodes, before the first round
     * \param[in] sigma of the noise
-    * \param[in] variance_factors of the noise, of all nodes; empty: 1 */
+    * \param[in] variance_factors of the noise, per node; empty: 1 */
   FineRows (const NeighborGraph& graph,
             const Positions& positions,
             float sigma,
             const Numbers& variance_factors,
             const Execution& execution);
 
-  /** No node looks at max_row_length. */
+  /** Whether no node uses max_row_length. */
   bool
   areAllFine () const
   {
@@ -48,14 +48,14 @@ public:
   BlockRows
   ofBlock (const BlockRows& rows, Buffer& buffer) const;
 
-  /** \param[in] factors of all nodes; null: 1
-    * \return the same, times \a wide_factor where a node looks at max_row_length; empty where no node does */
+  /** \param[in] factors per node; null: 1
+    * \return the factors, times \a wide_factor for nodes that use max_row_length; empty if none does */
   Numbers
   scaledWhereWide (const float* factors, float wide_factor) const;
 
 private:
   const NeighborGraph& graph_;
-  std::vector<std::uint8_t> is_wide_; // of all nodes; empty: none is
+  std::vector<std::uint8_t> is_wide_; // per node; empty: no node is
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

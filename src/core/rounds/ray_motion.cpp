@@ -9,7 +9,7 @@ namespace core
 {
 namespace
 {
-constexpr float least_cosine_to_ray = .15f; // of the normal: 81 degrees
+constexpr float least_cosine_to_ray = .15f; // |cosine| of ray and normal: 81 degrees
 } // namespace
 
 void

@@ -8,12 +8,12 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Gives points that have moved across their tangent planes the place on these where their rays from the origin meet
-  * them. So the grid of a depth camera is kept; otherwise the points of a slanting wall slide towards the middle of
-  * their layer, and gaps are left between the layers. Points stay that would be farther than \a max_displacement from
-  * where they began, or whose rays graze their planes.
-  * \param[in] start offsets before anything moved, as startOf tells
-  * \param[in] normals of length 1; points without (NaN) stay
+/** Moves points that left their rays back onto them: to where the ray from the origin meets the tangent plane that the
+  * point has reached. This keeps the grid of a depth camera; otherwise the points of a slanting wall slide towards the
+  * middle of their layer and leave gaps between layers. A point that would end farther than \a max_displacement from
+  * its start, or whose ray grazes its plane, is left where the rounds put it.
+  * \param[in] start offsets before anything moved, as returned by startOf
+  * \param[in] normals of unit length; points without one (NaN) stay
   * \param[in,out] positions their offsets change */
 void
 moveAlongRays (const Vectors& start,

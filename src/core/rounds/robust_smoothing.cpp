@@ -35,8 +35,8 @@ check (const RobustSmoothingOptions& options)
 
 namespace
 {
-/** The state of the rounds and their steps, in order. A loop over the blocks that reads what the one before wrote for
-  * neighbours goes a hop farther: roundsDepth counts them. */
+/** The rounds' state, and their steps in order. Every loop that reads what the previous loop wrote for neighbours
+  * makes a result depend on nodes one hop farther off; roundsDepth counts these hops. */
 class Rounds
 {
 public:
@@ -94,11 +94,11 @@ private:
   void
   beginFar ()
   {
-    step_taking_.freeRisks (); // the far rows take their memory
+    step_taking_.freeRisks (); // their memory is reused by the far rows
     far_.emplace (graph_, nodeArrays (positions_), execution_.silent ());
   }
 
-  /** Calls \a body for the rows of all blocks that the round looks at. */
+  /** Calls \a body with the rows of every block, as the current round uses them. */
   template <typename Body>
   void
   forRowsOfRound (const Body& body)
@@ -181,12 +181,12 @@ private:
     step.oriented = options_.oriented;
     step.max_displacement = options_.max_displacement;
     step.moved = other_.data ()->data ();
-    progress_ = execution_.silent (); // the rounds have told all
+    progress_ = execution_.silent (); // the rounds have already reported the end
     runOnNearest (graph_, progress_, kernels ().keep_apart, step);
     positions_.offset.swap (other_);
   }
 
-  /** 1 / (2 (2 sigma)^2); without noise everything off the surface is off by far. */
+  /** 1 / (2 (2 sigma)^2); without noise, any point off the surface counts as far off. */
   float
   residualFactor () const
   {
@@ -201,7 +201,7 @@ private:
     return start_.empty () ? nullptr : start_.data ()->data ();
   }
 
-  /** Null: 1 everywhere. */
+  /** Null if 1 everywhere. */
   const float*
   varianceFactors () const
   {
@@ -211,15 +211,15 @@ private:
   const NeighborGraph& graph_;
   const RobustSmoothingOptions& options_;
   const Execution& execution_;
-  Execution progress_; // reports where the round began, and so never falls
+  Execution progress_; // reports the same share during a whole round, so that progress never goes back
   Positions& positions_;
   Vectors& normals_;
   RoundSchedule schedule_;
-  bool all_normals_;           // no node is without one, now and later
-  bool is_fine_ = false;       // the round
-  std::optional<FarRows> far_; // in far rounds, until the step is proposed
-  const Vectors& start_;       // as startOf has it
-  Vectors other_;              // what the next stage writes: normals, or offsets
+  bool all_normals_;           // every node has a normal, now and later
+  bool is_fine_ = false;       // whether the current round is fine
+  std::optional<FarRows> far_; // in far rounds, until steps are proposed
+  const Vectors& start_;       // as returned by startOf
+  Vectors other_;              // output of the current stage: normals or offsets
   Numbers variance_factors_;   // empty: 1 everywhere
   FineRows fine_rows_;
   StepTaking step_taking_;
@@ -230,7 +230,7 @@ Vectors
 startNormals (const NeighborGraph& graph, const Positions& positions, const Execution& execution, std::size_t k)
 {
   Vectors normals (graph.size ());
-  const NormalOfNodes task {nodeArrays (positions), normals.data ()->data ()};
+  const StartNormals task {nodeArrays (positions), normals.data ()->data ()};
   forEachBlock (graph, execution, [&] (const BlockRows& rows) {
     kernels ().start_normals (task, {rows.neighbors, std::min (rows.length, k)});
   });

@@ -12,8 +12,8 @@ namespace
 constexpr RoundSchedule fast_schedule = {
     0,                                             // fine_rounds
     2,                                             // first_far_round
-    {.690f, .060f, .041f, .0056f, .0038f, .0029f}, // gains
-    {},                                            // wide_gains
+    {.690f, .060f, .041f, .0056f, .0038f, .0029f}, // covariances
+    {},                                            // wide_covariances
     1.8f,                                          // tolerance
     {2, 1, 1, 1, 1, 1},                            // solves
     3,                                             // averages
@@ -24,8 +24,8 @@ constexpr RoundSchedule fast_schedule = {
 constexpr RoundSchedule default_schedule = {
     2,                                               // fine_rounds
     5,                                               // first_far_round
-    {.661f, .0745f, .0517f, .0139f, .0080f, .0135f}, // gains
-    {.660f, .084f, .0202f, .0086f, .0052f, .007f},   // wide_gains
+    {.661f, .0745f, .0517f, .0139f, .0080f, .0135f}, // covariances
+    {.660f, .084f, .0202f, .0086f, .0052f, .007f},   // wide_covariances
     1.3f,                                            // tolerance
     {3, 2, 2, 2, 1, 1},                              // solves
     4,                                               // averages
@@ -33,12 +33,12 @@ constexpr RoundSchedule default_schedule = {
     .05f,                                            // sigma_s
 };
 
-// sigma_s of the filter, as a factor of noise against spacing: so much the fitted normals scatter. And its bounds.
+// sigma_s of the filter as a multiple of noiseRatio, about the scatter of the fitted normals; and its bounds.
 constexpr float filtering_of_ratio = .26f, least_filtering = .02f, most_filtering = .15f;
-// With fast: noise against spacing up to which there is no filter, and its sigma_s beyond.
+// For the preset fast: the noiseRatio up to which there is no filter, and sigma_s above it.
 constexpr float fast_unfiltered_ratio = .29f, fast_filtering = .15f;
 
-// ridge_scale times this factor of the square of noise against spacing, which has bounds.
+// The ridge is ridge_scale times ridge_of_sq_ratio * noiseRatio^2, the latter clamped to the bounds.
 constexpr float ridge_scale = .3f, ridge_of_sq_ratio = .15f, least_ridge = .003f, most_ridge = .01f;
 } // namespace
 
@@ -76,14 +76,14 @@ roundsDepth (const RobustSmoothingOptions& options, int of_normals)
   if (options.rounds == 0)
     return of_normals;
   const RoundSchedule schedule = scheduleOf (options);
-  // The first fit reads the node's own normal and the neighbours' positions; later ones, or oriented, their normals
-  // too. Its row may be of FineRows, which read the neighbours' rows.
+  // The first fit reads the node's own normal and the neighbours' positions; later ones, and the first if oriented, the
+  // neighbours' normals too. FineRows chooses its row by reading the neighbours' rows.
   const int of_neighbors = options.oriented ? of_normals : 0, of_row = schedule.fine_rounds > 0 ? 2 : 1;
   const int first_fit = std::max ({of_normals, of_row, 1 + of_neighbors});
   constexpr int fit = 1, update = 1;
   int all = first_fit - fit;
   for (int round = 0; round < options.rounds; ++round) {
-    const int hops = round < schedule.first_far_round ? 1 : 2; // to neighbours of neighbours
+    const int hops = round < schedule.first_far_round ? 1 : 2; // far rows reach neighbours of neighbours
     all += hops * (fit + (filteringSigma (options, round) > 0 ? 1 : 0) + update) + schedule.averages;
   }
   constexpr int keep_apart = 1;

@@ -26,24 +26,25 @@ StepTaking::take (int round, const NodeArrays& nodes, const Execution& execution
   risks_.resize (2 * cloud_.graph.size ());
   averaged_.resize (2 * cloud_.graph.size ());
   const auto run = [&] (const auto& kernel, const auto& task) { runOnNearest (cloud_.graph, execution, kernel, task); };
-  const StepGain gain = gainOf (round);
+  const RiskLimit limit = riskLimitOf (round);
   float* proposed = steps.data ()->data ();
-  run (kernels ().step_risks, StepRisks {nodes, proposed, moved_.data (), gain, risks_.data ()});
-  if (round == 0) // normals and positions change little afterwards
+  run (kernels ().step_risks, StepRisks {nodes, proposed, moved_.data (), limit, risks_.data ()});
+  if (round == 0) // normals and positions change little later on
     run (kernels ().averaging_weights, AveragingWeights {nodes, options_.oriented, weights_.data ()});
   averageRisks (execution);
   float* moved = round == 0 ? nullptr : moved_.data ();
   run (kernels ().take_steps,
-       StepsToTake {nodes, cloud_.start, proposed, risks_.data (), gain, options_.max_displacement, moved, proposed});
+       StepsToTake {nodes, cloud_.start, proposed, risks_.data (), limit, options_.max_displacement, moved, proposed});
 }
 
-StepGain
-StepTaking::gainOf (int round)
+RiskLimit
+StepTaking::riskLimitOf (int round)
 {
-  const float variance = options_.noise.sigma * options_.noise.sigma, gain = schedule_.gains[round];
-  gain_factors_ = cloud_.fine_rows.scaledWhereWide (cloud_.variance_factors, schedule_.wide_gains[round] / gain);
-  return {schedule_.tolerance * variance * gain,
-          cloud_.fine_rows.areAllFine () ? cloud_.variance_factors : gain_factors_.data ()};
+  const float variance = options_.noise.sigma * options_.noise.sigma, covariance = schedule_.covariances[round];
+  limit_factors_ =
+      cloud_.fine_rows.scaledWhereWide (cloud_.variance_factors, schedule_.wide_covariances[round] / covariance);
+  return {schedule_.tolerance * variance * covariance,
+          cloud_.fine_rows.areAllFine () ? cloud_.variance_factors : limit_factors_.data ()};
 }
 
 void

@@ -10,7 +10,7 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Runs a kernel on all blocks, with the max_row_length nearest of every row. */
+/** Runs a kernel on all blocks, each row cut to its max_row_length nearest. */
 template <typename Kernel, typename Task>
 void
 runOnNearest (const NeighborGraph& graph, const Execution& execution, const Kernel& kernel, const Task& task)
@@ -20,35 +20,35 @@ runOnNearest (const NeighborGraph& graph, const Execution& execution, const Kern
   });
 }
 
-/** Takes as much of the proposed steps as the risk allows, round after round: doc/robust_smoothing.md derives it. */
+/** Takes as much of the proposed steps as the risk allows, round by round: derived in doc/robust_smoothing.md. */
 class StepTaking
 {
 public:
-  /** What does not change from round to round. */
+  /** What stays the same in all rounds. */
   struct Cloud
   {
     const NeighborGraph& graph;
     const float* start;            // offsets before the first round; null where all are zero
-    const float* variance_factors; // of the noise, of all nodes; null: 1
+    const float* variance_factors; // of the noise, per node; null: 1
     const FineRows& fine_rows;
   };
 
-  /** \param[in] options kept, as what \a cloud refers to, while this is used */
+  /** \param[in] options kept while this is used, like everything that \a cloud refers to */
   StepTaking (const Cloud& cloud, const RobustSmoothingOptions& options);
 
-  /** Gives back the memory that is not needed until the next steps are taken. */
+  /** Frees memory that is not needed until the next call of take. */
   void
   freeRisks ();
 
-  /** \param[in] nodes with their normals, before the steps
-    * \param[in,out] steps proposed; on return taken: offsets */
+  /** \param[in] nodes positions before the steps, and normals
+    * \param[in,out] steps offsets: on entry as proposed, on return as taken */
   void
   take (int round, const NodeArrays& nodes, const Execution& execution, Vectors& steps);
 
 private:
-  /** Valid until the next. */
-  StepGain
-  gainOf (int round);
+  /** The result is valid until the next call. */
+  RiskLimit
+  riskLimitOf (int round);
 
   void
   averageRisks (const Execution& execution);
@@ -56,9 +56,9 @@ private:
   Cloud cloud_;
   const RobustSmoothingOptions& options_;
   RoundSchedule schedule_;
-  Numbers gain_factors_;
-  Numbers moved_; // along the normals since the first round, from where the risk is measured
-  Numbers risks_; // two a node
+  Numbers limit_factors_;
+  Numbers moved_; // distance along the normals since the first round, which is the reference for the risk
+  Numbers risks_; // two values per node
   Numbers averaged_;
   PaddedVector<std::uint8_t> weights_;
 };

@@ -11,7 +11,7 @@ namespace core
 {
 namespace
 {
-/** Which hashes have been seen, or may have been: one in 32 new ones looks as if. */
+/** A set of hashes with false positives: one in 32 new hashes seems to be in it. */
 class SeenHashes
 {
 public:
@@ -22,7 +22,7 @@ public:
     words_.assign ((std::size_t {1} << (32 - shift_)) / word_size + 1, 0);
   }
 
-  /** \return whether it was there before */
+  /** \return whether it was in the set before */
   bool
   insert (std::uint32_t hash)
   {
@@ -61,7 +61,7 @@ struct HashedPoint
   }
 };
 
-/** Those that another one may share its place with: all such, and a few more; sorted. */
+/** Points that may share their place with another one: all that do, and a few more; sorted. */
 std::vector<HashedPoint>
 suspects (const Positions& cloud, const Elements& points, const Execution& execution)
 {
@@ -90,7 +90,7 @@ takeOutCopies (const Positions& cloud, const Execution& execution, Elements& poi
     return cloud.base[a] == cloud.base[b] && cloud.offset[a] == cloud.offset[b];
   };
   Copies copies;
-  std::vector<std::uint32_t> distinct; // of one hash
+  std::vector<std::uint32_t> distinct; // those with the current hash
   std::uint32_t hash = 0;
   for (const HashedPoint& suspect : suspects (cloud, points, execution)) {
     if (suspect.hash != hash)

@@ -12,8 +12,8 @@ namespace
 {
 constexpr auto all = std::numeric_limits<std::uint32_t>::max ();
 
-/** Up to this there are as many nodes as are wanted, and hardly more than twice that, where each has a place of its
-  * own. */
+/** A limit on hashes that includes at least \a size nodes, and hardly more than twice as many, if all have different
+  * places. */
 std::uint32_t
 generousLimit (std::size_t nodes, std::size_t size)
 {

@@ -11,15 +11,15 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The places of a cloud with the smallest hashes of their coordinates are its samples: whatever the order of the
-  * points, however many lie in one place, and so that a smaller sample is part of a larger one. */
+/** Samples of a cloud are the places with the smallest hashes of their coordinates: independent of the order of
+  * points and of how many share a place, and nested, so that a smaller sample is part of a larger one. */
 class SmallestHashes
 {
 public:
-  /** \param[in] count as many as the largest sample has, at least one */
+  /** \param[in] count size of the largest sample, at least one */
   explicit SmallestHashes (std::size_t count) : count_ (count) {}
 
-  /** \param[in] hash see hashOf; any number of times */
+  /** \param[in] hash see hashOf; may be added any number of times */
   void
   add (std::uint32_t hash)
   {
@@ -30,7 +30,7 @@ public:
       hashes_.erase (std::prev (hashes_.end ()));
   }
 
-  /** \return whose hashes are up to this is in a sample of so many places; there may be fewer, and then all are */
+  /** \return upper bound on the hashes in a sample of \a size places; if there are fewer places, it includes all */
   std::uint32_t
   limitFor (std::size_t size) const
   {
@@ -43,11 +43,11 @@ private:
   std::set<std::uint32_t> hashes_;
 };
 
-/** Nodes of a cloud, or of a part of it, whose hashes are up to \a limit, ascending. */
+/** Nodes of a cloud, or of a part of it, with hashes up to \a limit, ascending. */
 std::vector<std::uint32_t>
 nodesUpTo (std::uint32_t limit, const Positions& nodes, const Execution& execution);
 
-/** Those of a whole cloud that are in a sample of \a size places. */
+/** Nodes of a whole cloud that are in a sample of \a size places. */
 std::vector<std::uint32_t>
 sampleNodes (const Positions& nodes, std::size_t size, const Execution& execution);
 } // namespace core

@@ -29,13 +29,13 @@ KdTree::KdTree (const Positions& positions, const Elements& rank, const Executio
     for (std::size_t slot = begin; slot < end; ++slot)
       order_[slot] = points[slot].element;
   });
-  BuildPoints ().swap (points); // keep the peak of memory low
+  BuildPoints ().swap (points); // keeps the peak of memory low
   fillSlots (positions, rank, execution);
 }
 
-// Offsets may be larger than the spacing (doubles far from the origin), so the tree takes them in, near the middle of
-// the cloud. That rounds: look a little farther, by the slack of a box, so that points far off cost nobody but
-// themselves. What is found is compared by exact distances and does not depend on it.
+// Offsets may exceed the spacing (doubles far from the origin), so the tree's coordinates include them, relative to an
+// origin near the middle of the cloud. They are rounded, and searches reach farther by the slack of a box, which is
+// larger only for points far away. Candidates are compared by exact distances, so the result does not depend on it.
 void
 KdTree::chooseOrigin (const Positions& positions)
 {
@@ -73,7 +73,7 @@ KdTree::split (BuildPoints& points, const Execution& execution)
   ranges_.resize (node_count);
   boxes_.resize (node_count);
   ranges_[0] = {0, static_cast<std::uint32_t> (points.size ())};
-  // Level by level while there are few nodes; below, a thread takes whole branches, which stay in its cache.
+  // Level by level at the top; below, each thread takes whole branches, which stay in its cache.
   const std::size_t branches = std::max<std::size_t> (1, leaf_count_ / 64);
   for (std::size_t level_size = 1; level_size < branches; level_size *= 2)
     parallelFor (
@@ -107,7 +107,7 @@ KdTree::splitNode (std::size_t node, BuildPoints& points)
 {
   const Range range = ranges_[node];
   BuildPoint* const point = points.data ();
-  const auto quad = [&] (std::uint32_t i) { // its last number means nothing
+  const auto quad = [&] (std::uint32_t i) { // the last number has no meaning
     Eigen::Array4f numbers;
     static_assert (sizeof numbers == sizeof (BuildPoint), "a point is copied whole");
     std::memcpy (numbers.data (), point + i, sizeof numbers);

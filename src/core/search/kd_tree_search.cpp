@@ -12,7 +12,7 @@ namespace
 {
 constexpr float infinity = std::numeric_limits<float>::infinity ();
 constexpr auto no_slot = std::numeric_limits<std::uint32_t>::max ();
-// Up to here counting smaller keys for every key beats a sort.
+// Up to this size, counting the smaller keys of every key beats sorting.
 constexpr std::size_t max_ranked = 160;
 
 float
@@ -21,23 +21,23 @@ square (float x)
   return x * x;
 }
 
-/** No squared distance up to \a distance is above it, whatever rounding does. */
+/** An upper bound on squared distances up to \a distance, whatever the rounding. */
 float
 sqReachOf (float distance)
 {
   constexpr float rounding = 1 + 1e-5f;
-  // Where squares are subnormal, they keep few digits.
+  // Subnormal squares have few digits.
   return square (distance * rounding) + std::numeric_limits<float>::min ();
 }
 
-/** The squared distances that are closer than \a radius: not at it. */
+/** The largest squared distance below \a radius, which is excluded. */
 float
 sqBoundOf (float radius)
 {
   return std::isfinite (radius) ? std::nextafter (radius * radius, 0.0f) : infinity;
 }
 
-/** The k-th smallest of some keys, which may change their order. */
+/** The k-th smallest key; may reorder the keys. */
 float
 kthKey (float* keys, std::size_t size, std::size_t k, std::vector<std::int32_t>& ranks)
 {
@@ -79,8 +79,8 @@ KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisit
   const Range own = ranges_[leaf];
   const Box& box = boxes_[leaf];
   const Eigen::Array4f middle = 0.5f * box.low + 0.5f * box.high;
-  // A ball about the leaf's middle that holds k points bounds the distances of the k nearest of every point of the
-  // leaf.
+  // The radius of a ball about the leaf's middle that holds k points bounds the distances of the k nearest of every
+  // point of the leaf.
   std::size_t branch = leaf;
   while (branch > 0 && ranges_[branch].end - ranges_[branch].begin < 2 * std::size_t (query.k))
     branch = (branch - 1) / 2;
@@ -89,9 +89,9 @@ KdTree::searchLeaf (std::size_t leaf, const NeighborQuery& query, const RowVisit
   const float reach = std::min (ball + half_diagonal, query.radius);
   gatherCandidates (box, reach, scratch);
 
-  // Nor is the k-th neighbour farther than an earlier point's, and the way to that point.
+  // The k-th neighbour is also no farther than that of an earlier point, plus the distance to that point.
   const std::size_t count = query.k == 0 ? no_slot : query.k - 1;
-  std::vector<std::pair<CandidateQuery, float>> earlier; // and the distance of its last neighbour
+  std::vector<std::pair<CandidateQuery, float>> earlier; // with the distance of the last neighbour
   for (std::uint32_t slot = own.begin; slot < own.end; ++slot) {
     CandidateQuery point = slotQuery (slot);
     const Box at = pointBox (point);
@@ -114,7 +114,7 @@ KdTree::search (const Eigen::Vector3f& base,
 {
   const Coordinates at = treeCoordinates (base, offset);
   const Box box = makeBox (quadOf (at), quadOf (at));
-  std::size_t branch = 0; // the smallest with enough points that the point falls into
+  std::size_t branch = 0; // the smallest with enough points that contains the point
   while (branch < leaf_count_ - 1 && ranges_[2 * branch + 1].end - ranges_[2 * branch + 1].begin >= 2 * query.k) {
     const bool left = sqDistance (box, boxes_[2 * branch + 1]) <= sqDistance (box, boxes_[2 * branch + 2]);
     branch = 2 * branch + (left ? 1 : 2);
@@ -152,7 +152,7 @@ KdTree::nearLeaves (const Box& box, float reach, Scratch& scratch) const
   nodes.assign (1, 0);
   for (std::size_t first = 0; first < leaf_count_ - 1; first = 2 * first + 1) {
     children.resize (2 * nodes.size ());
-    std::size_t count = 0; // without a branch: which child is near is as good as random
+    std::size_t count = 0; // branchless: which child is near is unpredictable
     for (const std::uint32_t node : nodes)
       for (const std::uint32_t child : {2 * node + 1, 2 * node + 2}) {
         children[count] = child;
@@ -174,7 +174,7 @@ KdTree::gatherCandidates (const Box& box, float reach, Scratch& scratch) const
       base.resize (room);
     scratch.selected.resize (room);
   }
-  for (auto& offset : scratch.offset) // none in other trees that this scratch may have served
+  for (auto& offset : scratch.offset) // empty if this scratch has only served trees without
     if (has_offset_ && offset.size () < room)
       offset.resize (room);
   scratch.sq_dists.resize (std::max (scratch.sq_dists.size (), room));
@@ -185,7 +185,7 @@ KdTree::gatherCandidates (const Box& box, float reach, Scratch& scratch) const
     const std::size_t count = scratch.candidate_count;
     for (std::uint32_t i = 0; i < max_leaf_size; ++i)
       scratch.slots[count + i] = range.begin + i;
-    for (int d = 0; d < 3; ++d) { // whole leaves: to copy what lies behind a smaller one costs less than to count
+    for (int d = 0; d < 3; ++d) { // copying whole leaves, with what lies beyond smaller ones, is faster than counting
       std::copy_n (base_[d].data () + range.begin, max_leaf_size, scratch.base[d].data () + count);
       if (has_offset_)
         std::copy_n (offset_[d].data () + range.begin, max_leaf_size, scratch.offset[d].data () + count);
@@ -230,7 +230,7 @@ KdTree::rankRow (std::size_t found, std::uint32_t excluded, std::size_t count, S
   const std::size_t skipped = excluded == no_slot ? 0 : 1;
   const std::size_t size = std::min (count, found - skipped);
   std::vector<Neighbor>& row = scratch.row;
-  row.resize (size + 1 + skipped); // with a place for what is not wanted: a branch on ranks would be as good as random
+  row.resize (size + 1 + skipped); // with a place for unwanted points: a branch on ranks would be unpredictable
   for (std::size_t i = 0; i < found; ++i) {
     const std::uint32_t slot = scratch.slots[scratch.selected[i]];
     const std::size_t place = std::min (static_cast<std::size_t> (scratch.ranks[i]) - skipped, size);
@@ -254,7 +254,7 @@ KdTree::slotCoordinates (std::size_t slot) const
   if (has_offset_)
     return treeCoordinates (Eigen::Vector3f (base_[0][slot], base_[1][slot], base_[2][slot]),
                             Eigen::Vector3f (offset_[0][slot], offset_[1][slot], offset_[2][slot]));
-  return {base_[0][slot], base_[1][slot], base_[2][slot]}; // their origin is zero
+  return {base_[0][slot], base_[1][slot], base_[2][slot]}; // here the tree's origin is zero
 }
 
 CandidateQuery

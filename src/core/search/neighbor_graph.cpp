@@ -124,12 +124,12 @@ NeighborGraph::withRows (const std::vector<std::uint32_t>& nodes,
       end = std::copy_n (blockRows (block), block_size * blockLength (block), row);
       graph->block_rows_[block] = row;
     }
-    // Lanes behind the last node repeat it.
+    // Lanes beyond the last node repeat it.
     const std::size_t lanes_end = nodes[i] + 1 == size () ? block_size : lane + 1;
     for (std::size_t j = 0; j < blockLength (block); ++j)
       std::fill (row + j * block_size + lane, row + j * block_size + lanes_end,
                  j < length ? rows[i * length + j] : nodes[i]);
-    // Rows only get shorter, so the shortest is the one before or one of these.
+    // Rows only get shorter, so the shortest is the previous one or one of these.
     graph->min_row_length_ = std::min (graph->min_row_length_, graph->row (nodes[i]).size ());
   }
   return graph;
@@ -137,7 +137,7 @@ NeighborGraph::withRows (const std::vector<std::uint32_t>& nodes,
 
 namespace
 {
-/** Every row has this length; 0 = they differ. */
+/** The length of every row; 0 if they differ. */
 std::size_t
 rowLength (const NeighborQuery& query, std::size_t size)
 {
@@ -190,7 +190,7 @@ NeighborGraph::rebuild (const Positions& nodes, const NeighborQuery& query, cons
 NeighborGraph::Ptr
 NeighborGraph::build (const Positions& cloud, const Search& search, const Execution& execution, bool distinct)
 {
-  // The tree of our own gives the order in space; the neighbours are the search's.
+  // Our own tree gives the order in space; the neighbours are from the search.
   NeighborQuery order_alone {1};
   order_alone.distinct = distinct;
   const auto ordered = build (cloud, order_alone, execution.part (0, 0.1));

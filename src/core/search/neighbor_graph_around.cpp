@@ -12,8 +12,8 @@ namespace core
 {
 namespace
 {
-/** Searches the rows of the points from rows.size () on.
-  * \param[out] rows without the point itself; the slots are numbers of points, as the ranks of the tree are */
+/** Searches the rows of \a points from the rows.size ()-th on.
+  * \param[out] rows without the point itself; slots, like the ranks of the tree, are numbers of points */
 void
 searchRows (const KdTree& tree,
             const Positions& cloud,
@@ -33,7 +33,7 @@ searchRows (const KdTree& tree,
   });
 }
 
-/** \return the first point in the place of each of \a points, once */
+/** \return the first point in the place of each of \a points, without repetitions */
 Elements
 originalsOf (const Elements& points, const Copies& copies, std::size_t cloud_size)
 {
@@ -68,7 +68,7 @@ NeighborGraph::buildAround (const Positions& cloud,
   const auto nodes = std::make_shared<Elements> (originalsOf (start, copies, cloud.size ()));
   graph->order_ = nodes;
   const KdTree tree (gather (cloud, finite, execution.silent ()), finite, execution.silent ());
-  std::vector<std::uint32_t> node_of (cloud.size (), no_node); // of a point
+  std::vector<std::uint32_t> node_of (cloud.size (), no_node); // per point
   for (std::uint32_t node = 0; node < nodes->size (); ++node)
     node_of[(*nodes)[node]] = node;
 

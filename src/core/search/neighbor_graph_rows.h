@@ -12,11 +12,11 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Takes the rows of a graph in any order from any thread. */
+/** Receives the rows of a graph, in any order and from any thread. */
 class NeighborGraph::Rows
 {
 public:
-  /** \param[in] length of every row, 0 = they differ */
+  /** \param[in] length of every row; 0: they differ */
   Rows (NeighborGraph& graph, std::size_t length) : graph_ (graph), length_ (length)
   {
     if (length == 0)
@@ -25,7 +25,7 @@ public:
       setLengths (std::vector<std::size_t> (graph_.blockCount (), length));
   }
 
-  /** \param[in] node_of the node in every slot that \a row names; null = they are the nodes */
+  /** \param[in] node_of the node of every slot in \a row; null: slots are nodes */
   void
   put (std::uint32_t node, const std::vector<Neighbor>& row, const std::uint32_t* node_of = nullptr)
   {
@@ -96,7 +96,7 @@ private:
 
   NeighborGraph& graph_;
   std::size_t length_;
-  std::vector<std::vector<std::uint32_t>> rows_; // where lengths differ; without the node itself
+  std::vector<std::vector<std::uint32_t>> rows_; // if lengths differ; without the node itself
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -10,11 +10,11 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Where a block begins in an array that has one byte for two neighbours; for block = blockCount () its size. */
+/** Begin of a block in an array with one byte per pair of neighbours; for block = blockCount () the array's size. */
 inline std::size_t
 pairsBegin (const NeighborGraph& graph, std::size_t block)
 {
-  return (graph.blockBegin (block) + block_size * block) / 2; // an odd neighbour has a byte of its own
+  return (graph.blockBegin (block) + block_size * block) / 2; // an odd last neighbour takes a whole byte
 }
 
 /** Calls \a body for all blocks of nodes, from all threads. */
@@ -32,8 +32,8 @@ forEachBlock (const NeighborGraph& graph, const Execution& execution, const Body
       64);
 }
 
-/** The same for some nodes, in blocks that they make in their order.
-  * \param[in] max_length of the rows; farther neighbours are left out */
+/** The same for some nodes only, combined into blocks in the given order.
+  * \param[in] max_length rows are cut to this length */
 template <typename Body>
 void
 forEachBlockOf (const NeighborGraph& graph,
@@ -64,7 +64,7 @@ forEachBlockOf (const NeighborGraph& graph,
                8);
 }
 
-/** The same for those nodes that are asked, or for all.
+/** The same for some nodes or for all.
   * \param[in] nodes null: all, in the blocks of the graph */
 template <typename Body>
 void
@@ -82,7 +82,7 @@ forEachBlockOf (const NeighborGraph& graph,
     });
 }
 
-/** For kernels that read no normals. Asks all offsets whether they are zero: O(n), where they are. */
+/** For kernels that read no normals. Checks whether all offsets are zero: O(n) if they are. */
 inline NodeArrays
 nodeArrays (const Positions& positions)
 {
@@ -99,7 +99,7 @@ nodeArrays (const Positions& positions, const Vectors& normals)
   return nodes;
 }
 
-/** Whether no node is without a normal. */
+/** Whether every node has a normal. */
 inline bool
 haveAllNormals (const Vectors& normals)
 {

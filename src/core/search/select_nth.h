@@ -16,8 +16,8 @@ namespace detail
 {
 constexpr std::ptrdiff_t max_pivot_sample = 1024;
 
-/** A key that leaves the n-th point on the smaller side of a partition, nearly always: the sample's, and some ranks
-  * more. */
+/** A pivot that nearly always leaves the n-th point on the smaller side of a partition: the corresponding key of a
+  * sample, and some ranks further. */
 template <typename Point, typename Key>
 auto
 choosePivot (const Point* first, const Point* nth, const Point* last, const Key& key)
@@ -34,7 +34,7 @@ choosePivot (const Point* first, const Point* nth, const Point* last, const Key&
   return *pivot;
 }
 
-/** std::swap takes a point apart, and to read what was written in parts waits for it. */
+/** Unlike std::swap, does not copy member by member: loads of partly written points would stall. */
 template <typename Point>
 void
 swapWhole (Point& a, Point& b)
@@ -49,7 +49,7 @@ swapWhole (Point& a, Point& b)
   std::memcpy (static_cast<void*> (&b), &of_a, sizeof (Point));
 }
 
-/** Moves the points that are \a wanted to the front, without a branch on data: it would be as good as random. */
+/** Moves the \a wanted points to the front, without unpredictable branches on data. */
 template <typename Point, typename Wanted>
 Point*
 partitionPoints (Point* first, Point* last, const Wanted& wanted)
@@ -63,8 +63,8 @@ partitionPoints (Point* first, Point* last, const Wanted& wanted)
 }
 } // namespace detail
 
-/** std::nth_element by a key, a number: a half to a quarter of its time, as nothing waits for a mispredicted branch and
-  * a sample finds the pivots (after Floyd and Rivest, Communications of the ACM 18, 1975). */
+/** std::nth_element by a numeric key, in a half to a quarter of the time: no branches are mispredicted, and pivots
+  * come from a sample (after Floyd and Rivest, Communications of the ACM 18, 1975). */
 template <typename Point, typename Key>
 void
 selectNth (Point* first, Point* nth, Point* last, const Key& key)
@@ -77,7 +77,7 @@ selectNth (Point* first, Point* nth, Point* last, const Key& key)
       last = middle;
     else if (middle > first)
       first = middle;
-    else { // the pivot is the smallest: many may equal it
+    else { // the pivot is the smallest key: many may equal it
       first = detail::partitionPoints (first, last, [&] (const Point& p) { return !(pivot < key (p)); });
       if (nth < first)
         return;

@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::size_t some_points = 16384;
 
-/** The nodes by the first \a halvings bits of their hashes; of so many parts. */
+/** The nodes in each of the first \a part_count parts, by the first \a halvings bits of their hashes. */
 std::vector<Elements>
 membersOf (const Positions& nodes, int halvings, std::size_t part_count)
 {
@@ -20,7 +20,7 @@ membersOf (const Positions& nodes, int halvings, std::size_t part_count)
     if (const std::uint64_t part = std::uint64_t {hashOf (nodes, node)} << halvings >> 32; part < part_count)
       members[part].push_back (node);
   for (Elements& of_part : members)
-    if (of_part.empty ()) // where most points are copies of others; a tree needs one
+    if (of_part.empty ()) // if most points are copies of others; a tree needs at least one
       of_part.push_back (0);
   return members;
 }
@@ -75,7 +75,7 @@ ThinnedCloud::row (std::uint32_t node, std::uint32_t* row, std::uint32_t length,
 {
   std::fill_n (row, length, node);
   const auto& [members, tree] =
-      parts_[hashOf (nodes_, node) & (parts_.size () - 1)]; // by other bits than the part it is in
+      parts_[hashOf (nodes_, node) & (parts_.size () - 1)]; // by other bits than those that choose a node's own part
   std::uint32_t *place = row + 1, *const end = row + length;
   for (const Neighbor& neighbor : tree.search (nodes_.base[node], nodes_.offset[node], {length}, scratch))
     if (const std::uint32_t found = members[tree.order ()[neighbor.slot]]; found != node && place != end)

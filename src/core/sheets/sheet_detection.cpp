@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sheet_detection.h"
-#include "sheet_test.h"
+#include "sheet_criterion.h"
 
 #include <algorithm>
 
@@ -10,13 +10,13 @@ namespace core
 {
 namespace
 {
-// Two points of one sheet hardly lie farther apart across it.
+// Two points of one sheet are hardly farther apart across it, in sigmas.
 constexpr float sigmas_of_sheet = 4;
-// However large the noise seems for the sheets' sake.
+// Upper limits in spacings: the noise may be overestimated because of the sheets themselves.
 constexpr float usual_spacings = 1.2f;
 constexpr float closer_spacings = .65f;
-// Of the sample, at the first scale: .1 to .46 in a ball inside the noise of one sheet, .6 to .97 of sheets that are
-// lost in it.
+// Share of the sample beside another sheet, at the first scale: .1 to .46 in a ball inside the noise of one sheet, .6
+// to .97 for sheets that the noise hides.
 constexpr float most_beside_in_ball = .55f;
 } // namespace
 

@@ -9,34 +9,33 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Sheets are looked for at one scale after the other: what is seen first counts. Those no farther apart than the
-  * points are hidden where only what lies well apart counts, and noise hides among many neighbours what few of them
-  * show. */
+/** Sheets are sought at three scales; the first that shows some decides. Sheets no farther apart than the points
+  * need a small distance to be seen; in noise they show only in short rows. */
 using SheetScales = std::array<SheetScale, 3>;
 
-/** \param[in] sigma of the noise, as it seems: for the sheets' sake it may seem large
+/** \param[in] sigma of the noise, as estimated; close sheets may make it too large
   * \param[in] spacing between neighbouring points */
 SheetScales
 sheetScales (float sigma, float spacing);
 
-/** What the sample of a cloud tells, at each of the scales. */
+/** The sample of a cloud at each of the scales. */
 using SheetSamples = std::array<SheetSample, std::tuple_size<SheetScales>::value>;
 
 /** Whether a cloud has close sheets. */
 struct SheetDetection
 {
-  /** At the first scale that shows any; of a gap of 0 where none does. */
+  /** At the first scale that shows sheets; gap 0 if none does. */
   SheetEstimate estimate;
-  /** Sheets are seen, or lost in the noise: more nodes see others at another height than in a ball inside the noise
-    * of one sheet. */
+  /** Sheets are seen, or may be hidden by the noise: more nodes have neighbours at another height than in a ball
+    * inside the noise of one sheet. */
   bool may_exist = false;
 };
 
-/** \param[in] samples of one cloud, sampled at these scales */
+/** \param[in] samples of one cloud, one for each of \a scales */
 SheetDetection
 decideSheets (const SheetSamples& samples, const SheetScales& scales);
 
-/** The same by a sample of the graph.
+/** As decideSheets, with samples taken from the graph.
   * \param[in] sample as for sampleSheets */
 SheetDetection
 detectSheets (const NeighborGraph& graph,

@@ -2,8 +2,8 @@
 #include "../quantile.h"
 #include "sheet_normals.h"
 
+#include "sheet_criterion.h"
 #include "sheet_estimate.h"
-#include "sheet_test.h"
 
 #include <algorithm>
 #include <array>
@@ -17,15 +17,15 @@ namespace
 {
 constexpr float min_share_beside = 0.1f;
 constexpr double min_peak_over_valley = 1.5;
-// The layers of a depth camera: points of one lie in a plane, but for this part of the step to the next; and that one
-// lies so much to one side (the median of SheetSample::sides), where a sheet lies above.
+// Layers of a depth camera look like sheets, but: the points of one lie in a plane to within this share of the step;
+// and the neighbours lie this much more to one side (median of SheetSample::sides).
 constexpr float least_sigma_of_gap = .01f;
 constexpr float side_of_layer = .6f;
-// Of a neighbourhood that is a ball inside wide noise, what lies far off the plane lies more to one side than any
-// sheet's points do.
+// In a neighbourhood that is a ball inside wide noise, the points far off the plane lie more to one side than the
+// points of any sheet.
 constexpr float side_of_ball = .65f;
 
-/** Where the neighbours of a node on other sheets lie, seen along its normal: above it and below. */
+/** Directions, along the tangent plane, to a node's neighbours on other sheets: those above and those below. */
 class OtherNeighbors
 {
 public:
@@ -44,7 +44,7 @@ public:
     return count_;
   }
 
-  /** As in SheetSample::sides. */
+  /** See SheetSample::sides. */
   float
   side () const
   {
@@ -85,7 +85,7 @@ sampleSheets (const NeighborGraph& graph,
 {
   const std::vector<std::uint32_t> around = nodesInRows (graph, sample, scale.row_length);
   const Vectors normals = electNormals (graph, positions, scale, &around, execution);
-  const SheetTest test (positions, normals, scale.distance, false);
+  const SheetCriterion criterion (positions, normals, scale.distance, false);
   SheetSample found;
   found.nodes = sample.size ();
   for (const std::uint32_t node : sample) {
@@ -93,9 +93,9 @@ sampleSheets (const NeighborGraph& graph,
     std::vector<float> heights;
     OtherNeighbors others;
     for (std::size_t j = 1; j < std::min (row.size (), scale.row_length); ++j)
-      if (test.areParallel (node, row[j])) {
-        const float height = test.height (node, row[j]);
-        if (test.isOther (node, row[j], evidence_to_change))
+      if (criterion.areParallel (node, row[j])) {
+        const float height = criterion.height (node, row[j]);
+        if (criterion.isOther (node, row[j], evidence_to_change))
           others.add (positions.difference (node, row[j]), height, normals[node]);
         heights.push_back (std::abs (height));
       }
@@ -124,7 +124,7 @@ estimateSheets (const SheetSample& sample, float distance)
   if (static_cast<double> (countAt (gap)) <= min_peak_over_valley * static_cast<double> (countAt (gap / 2)))
     return none;
   const std::vector<float> near = filtered (heights, [&] (float height) { return height < gap / 2; });
-  // Both points of a pair have noise.
+  // A height contains the noise of both points.
   const float sigma = quantile (near, .5) / (0.6745f * std::sqrt (2.0f));
   if (quantile (sample.sides, .5) > (sigma < least_sigma_of_gap * gap ? side_of_layer : side_of_ball))
     return none;

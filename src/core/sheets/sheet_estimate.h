@@ -7,47 +7,46 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** At which scale sheets are looked for. */
+/** A scale at which sheets are sought. */
 struct SheetScale
 {
-  /** That a neighbour on another sheet exceeds. */
+  /** A neighbour on another sheet is farther off than this. */
   float distance;
-  /** Neighbours that are asked, the node counted, or the whole row where that is shorter. */
+  /** Neighbours examined, the node included; the whole row if that is shorter. */
   std::size_t row_length;
 };
 
-/** What a cloud tells of sheets that are hardly farther apart than its points, in the unit of its positions. */
+/** Estimate of sheets hardly farther apart than the points, in the unit of the positions. */
 struct SheetEstimate
 {
-  /** Distance from one sheet to the next; 0 where none is seen. */
+  /** Distance between neighbouring sheets; 0 if none are seen. */
   float gap = 0;
-  /** Standard deviation of the noise by the points of a sheet, as of a Gaussian. */
+  /** Standard deviation of the noise within a sheet, as for a Gaussian. */
   float sigma = 0;
-  /** Of the sample: see SheetSample::nodes_beside. */
+  /** Share of the sample counted in SheetSample::nodes_beside. */
   float share_beside = 0;
 };
 
-/** What the sample of a cloud tells of its sheets. The samples of its parts make that of the whole, in any order. */
+/** What a sample shows of the sheets of a cloud. The samples of its parts, joined in any order, make that of the
+  * whole. */
 struct SheetSample
 {
   std::size_t nodes = 0;
-  /** Those that have three neighbours on another sheet. */
+  /** Nodes with three neighbours on another sheet. */
   std::size_t nodes_beside = 0;
-  /** How far the neighbours of those lie from the tangent planes. */
+  /** Heights of their neighbours over the tangent planes. */
   std::vector<float> heights;
-  /** How much on one side of those their neighbours on another sheet lie, from 0, all around, to 1, in one
-    * direction. */
+  /** How one-sided their neighbours on another sheet lie: from 0, all around, to 1, all in one direction. */
   std::vector<float> sides;
 
   void
   join (const SheetSample& part);
 };
 
-/** Places of which the sample is. */
+/** Number of places in the sample. */
 constexpr std::size_t sheet_sample_size = 1024;
 
-/** \param[in] sample nodes of the graph; what it tells depends on the rows of nodes up to sheet_sample_depth hops
-  * off */
+/** \param[in] sample nodes of the graph; the result depends on the rows of nodes up to sheet_sample_depth hops away */
 SheetSample
 sampleSheets (const NeighborGraph& graph,
               const Positions& positions,
@@ -55,13 +54,13 @@ sampleSheets (const NeighborGraph& graph,
               const SheetScale& scale,
               const Execution& execution);
 
-/** The normals of the neighbours are elected among those of theirs, which are estimated from their rows. */
+/** Normals of neighbours are elected among those of their neighbours, which are estimated from the rows of these. */
 constexpr int sheet_sample_depth = 2;
 
-/** Sheets are seen where the heights have two peaks, that of a node's own sheet and that of another one, and hardly any
-  * points between. The tail of one peak, as detail has it, is none; nor are the layers of coordinates in steps, as
-  * depth cameras give them: where one ends the next begins, and lies beside it, not above.
-  * \param[in] distance of the sample */
+/** Sheets are seen if the heights have two peaks, that of the node's own sheet and that of another, with hardly any
+  * points between them. Detail gives the tail of a single peak instead. Layers of coordinates in steps, as from depth
+  * cameras, do not count either: where one ends the next begins, so that it lies to one side, not above.
+  * \param[in] distance of the scale of the sample */
 SheetEstimate
 estimateSheets (const SheetSample& sample, float distance);
 } // namespace core

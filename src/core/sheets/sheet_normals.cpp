@@ -4,7 +4,7 @@
 #include "../nodes_where.h"
 
 #include "../search/node_blocks.h"
-#include "sheet_test.h"
+#include "sheet_criterion.h"
 
 #include <algorithm>
 #include <limits>
@@ -53,7 +53,7 @@ electNormals (const NeighborGraph& graph,
   if (nodes != nullptr)
     candidates_of = nodesInRows (graph, *nodes, by.row_length);
   Vectors candidates (graph.size ()), elected (graph.size ());
-  const NormalOfNodes start {nodeArrays (positions), candidates.data ()->data ()};
+  const StartNormals start {nodeArrays (positions), candidates.data ()->data ()};
   forEachBlockOf (graph, nodes != nullptr ? &candidates_of : nullptr, start_k, execution,
                   [&] (const BlockRows& rows) { kernels ().start_normals (start, rows); });
   const NormalVoteStep vote = voteAmong (positions, candidates, by.distance, elected);

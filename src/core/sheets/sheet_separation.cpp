@@ -3,8 +3,8 @@
 #include "sheet_normals.h"
 
 #include "../search/node_blocks.h"
+#include "sheet_criterion.h"
 #include "sheet_separation.h"
-#include "sheet_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +17,15 @@ namespace core
 namespace
 {
 /** Nodes with enough neighbours on another sheet.
-  * \param[in] nodes that are asked; null: all */
+  * \param[in] nodes to examine; null: all */
 std::vector<std::uint32_t>
 nodesBesideOtherSheets (const NeighborGraph& graph,
-                        const SheetTest& test,
+                        const SheetCriterion& criterion,
                         const std::vector<std::uint32_t>* nodes,
                         const Execution& execution)
 {
   Numbers others (graph.size (), 0.0f);
-  const OtherSheetTest of_rows = test.ofRows (evidence_to_change, others);
+  const OtherSheetCount of_rows = criterion.ofRows (evidence_to_change, others);
   forEachBlockOf (graph, nodes, sheet_row_length, execution,
                   [&] (const BlockRows& rows) { kernels ().count_others (of_rows, rows); });
   return nodesWhere (graph.size (), [&] (std::uint32_t node) {
@@ -33,7 +33,7 @@ nodesBesideOtherSheets (const NeighborGraph& graph,
   });
 }
 
-/** Nodes one of whose neighbours is among \a nodes. */
+/** Nodes that have one of \a nodes in their row. */
 std::vector<std::uint32_t>
 nodesNear (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes, const Execution& execution)
 {
@@ -51,11 +51,11 @@ nodesNear (const NeighborGraph& graph, const std::vector<std::uint32_t>& nodes, 
   return nodesWhere (graph.size (), [&] (std::uint32_t node) { return is_near[node] != 0; });
 }
 
-/** Nodes, each once: neighbours of neighbours are mostly the same, and sorting them all would take most of the time. */
+/** A set of nodes: neighbours of neighbours mostly coincide, and sorting them all would take most of the time. */
 class NodeSet
 {
 public:
-  /** \param[in] most nodes that will be inserted, repetitions counted */
+  /** \param[in] most upper bound on the insertions, repeated ones included */
   void
   clear (std::size_t most)
   {
@@ -89,21 +89,21 @@ public:
 private:
   static constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
 
-  std::vector<std::uint32_t> table_; // of a power of two, at most half full
+  std::vector<std::uint32_t> table_; // size a power of two, at most half full
   std::vector<std::uint32_t> nodes_;
 };
 
-/** Writes the rows of nodes beside another sheet, from the neighbours of their neighbours on the own one: the first
-  * sheet_row_length of each, or long rows would take their length squared in time and memory. */
+/** Fills the rows of nodes beside another sheet with neighbours of their neighbours on the same sheet. Of each row
+  * the first sheet_row_length count: for long rows, time and memory would grow with the square of the length. */
 class OwnSheetRows
 {
 public:
-  /** \param[in] distance of the test, >= 0 */
-  OwnSheetRows (const NeighborGraph& graph, const Positions& positions, const SheetTest& test, float distance)
-  : graph_ (graph), positions_ (positions), test_ (test), distance_ (distance)
+  /** \param[in] distance of the criterion, >= 0 */
+  OwnSheetRows (const NeighborGraph& graph, const Positions& positions, const SheetCriterion& criterion, float distance)
+  : graph_ (graph), positions_ (positions), criterion_ (criterion), distance_ (distance)
   {}
 
-  /** \param[out] out of sheet_row_length */
+  /** \param[out] out sheet_row_length nodes */
   void
   write (std::uint32_t node, std::uint32_t* out)
   {
@@ -111,7 +111,7 @@ public:
     findAround (node, sheet);
     std::vector<Neighbor> own_sheet;
     for (const std::uint32_t other : found_.nodes ())
-      if (other != node && !test_.isOther (node, other, evidence_to_drop, sheet))
+      if (other != node && !criterion_.isOther (node, other, evidence_to_drop, sheet))
         own_sheet.push_back ({squaredLength (positions_.difference (node, other)), graph_.order ()[other], other});
     const std::size_t size = std::min (own_sheet.size (), rowLength (node) - 1);
     const auto end = own_sheet.begin () + static_cast<std::ptrdiff_t> (size);
@@ -129,30 +129,31 @@ private:
     return std::min (graph_.row (node).size (), sheet_row_length);
   }
 
-  /** How high the sheet of a node is above it: from the node on to where most of its neighbours are (mean shift).
-    * Counted from the node itself, one between two sheets would be given those that are as far off, and stay there. */
+  /** Height of a node's sheet over the node: by mean shift from the node to where most neighbours are. With heights
+    * from the node itself, one between two sheets would get neighbours from both, and stay there. */
   float
   sheetHeight (std::uint32_t node) const
   {
     constexpr int steps = 5;
-    constexpr float bandwidth = .6f; // of the distance of the test
+    constexpr float bandwidth = .6f; // as a share of the distance of the criterion
     const Row row = graph_.row (node);
     const float unit = std::max (bandwidth * distance_, std::numeric_limits<float>::min ());
     float sheet = 0;
     for (int step = 0; step < steps; ++step) {
       float sum = 0, weights = 0;
       for (std::size_t j = 1; j < rowLength (node); ++j)
-        if (test_.areAlike (node, row[j])) {
-          const float height = test_.height (node, row[j]), weight = bell ((height - sheet) / unit);
+        if (criterion_.areAlike (node, row[j])) {
+          const float height = criterion_.height (node, row[j]), weight = bell ((height - sheet) / unit);
           sum += weight * height;
           weights += weight;
         }
       sheet = weights > 0 ? sum / weights : sheet;
     }
-    return std::abs (sheet) < distance_ ? sheet : 0; // farther than noise puts a point: along the rim of a plate
+    // Noise hardly puts a point farther off: it is on the rim of a plate.
+    return std::abs (sheet) < distance_ ? sheet : 0;
   }
 
-  /** exp (-x^2 / 2), or as good a bell, of the same bits everywhere. */
+  /** A substitute for exp (-x^2 / 2) that is bit for bit the same everywhere. */
   static float
   bell (float x)
   {
@@ -171,22 +172,23 @@ private:
       most += rowLength (row[j]);
     found_.clear (most);
     for (std::size_t j = 0; j < rowLength (node); ++j)
-      if (j == 0 || !test_.isOther (node, row[j], evidence_to_drop, sheet))
+      if (j == 0 || !criterion_.isOther (node, row[j], evidence_to_drop, sheet))
         for (std::size_t t = 0; t < rowLength (row[j]); ++t)
           found_.insert (graph_.row (row[j])[t]);
   }
 
   const NeighborGraph& graph_;
   const Positions& positions_;
-  const SheetTest& test_;
+  const SheetCriterion& criterion_;
   float distance_;
   NodeSet found_;
 };
 } // namespace
 
-// The row of a node is written from the rows of its neighbours and the normals of theirs. A normal that is not given
-// depends on those of the first vote around it, the second also on whether one of the neighbours has others of another
-// sheet near; and the first elects among normals of the neighbours, which are estimated from their rows.
+// The row of a node is written from the rows of its neighbours and the normals of the nodes in these (2 hops). Unless
+// given, a normal is elected twice. The second vote is among first-vote normals of neighbours (3); it takes place if a
+// neighbour is beside another sheet, which depends on the first-vote normals around that (4). The first vote is among
+// normals of neighbours, estimated from the rows of these (5).
 int
 separationDepth (const SheetSeparationOptions& options)
 {
@@ -207,12 +209,12 @@ separateSheets (const NeighborGraph::ConstPtr& graph,
   Vectors normals = oriented
                         ? *options.oriented_normals
                         : electNormals (*graph, positions, {options.distance, sheet_row_length}, nullptr, execution);
-  const SheetTest test (positions, normals, options.distance, oriented);
-  std::vector<std::uint32_t> nodes = nodesBesideOtherSheets (*graph, test, nullptr, execution);
+  const SheetCriterion criterion (positions, normals, options.distance, oriented);
+  std::vector<std::uint32_t> nodes = nodesBesideOtherSheets (*graph, criterion, nullptr, execution);
   if (!oriented && !nodes.empty ()) {
     const std::vector<std::uint32_t> near = nodesNear (*graph, nodes, execution);
     normals = electAgain (*graph, positions, options.distance, normals, near, execution);
-    nodes = nodesBesideOtherSheets (*graph, test, &near, execution);
+    nodes = nodesBesideOtherSheets (*graph, criterion, &near, execution);
   }
   if (nodes.empty ())
     return graph;
@@ -220,7 +222,7 @@ separateSheets (const NeighborGraph::ConstPtr& graph,
   parallelFor (
       nodes.size (), execution,
       [&] (std::size_t begin, std::size_t end) {
-        OwnSheetRows own_sheets (*graph, positions, test, options.distance);
+        OwnSheetRows own_sheets (*graph, positions, criterion, options.distance);
         for (std::size_t i = begin; i < end; ++i)
           own_sheets.write (nodes[i], rows.data () + i * sheet_row_length);
       },

@@ -7,27 +7,27 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** What tells that a neighbour lies on another sheet of the surface: the two sides of a thin plate, two leaves. */
+/** The criterion for a neighbour on another sheet of the surface, such as the other side of a thin plate. */
 struct SheetSeparationOptions
 {
-  /** How far a neighbour must lie from the tangent plane, in the unit of the positions; the mean of both points'
-    * planes, which a curved sheet touches. infinity: all points lie on one sheet. */
+  /** A neighbour on another sheet is at least this far off the mean of both tangent planes, which touches a curved
+    * sheet; in the unit of the positions. infinity: all points lie on one sheet. */
   float distance = std::numeric_limits<float>::infinity ();
-  /** Normals that point to the same side everywhere: a neighbour with an opposite one lies on another sheet. */
+  /** Consistently oriented normals: a neighbour with an opposite one lies on another sheet. */
   const Vectors* oriented_normals = nullptr;
 };
 
-/** How far along the rows of a graph separateSheets looks: the new row of a node depends on the rows of nodes that are
-  * up to so many hops off, and on the points in them. -1 where it changes none. */
+/** Depth of separateSheets in hops along the rows: the new row of a node depends on the rows of nodes up to that
+  * many hops away, and on the points in them. -1 if no row changes. */
 int
 separationDepth (const SheetSeparationOptions& options);
 
-/** Neighbourhoods that keep to one sheet. A node three of whose neighbours lie on another sheet, or one in a row of at
-  * most 16 points, takes in their place the nearest points of its own among the neighbours of its neighbours; heights
-  * count from where most of these lie. Normals are those of the eight nearest, each node then taking the one of its
-  * neighbourhood that most of the points fit: where two sheets are as close as the points, many a plane fitted to the
-  * nearest of both is wrong, but hardly all. Of every row the first 32 points count.
-  * \return \a graph itself where nothing changes; else one whose changed rows hold at most 32 points */
+/** Neighbourhoods restricted to one sheet. If three neighbours of a node lie on another sheet (one in a row of at most
+  * 16 points), they are replaced by the nearest points of its own sheet among the neighbours of its neighbours; heights
+  * count from where most of the neighbours lie. Normals are fitted to the eight nearest; then each node takes, of those
+  * in its neighbourhood, the one that fits most of the points: where two sheets are as close as the points, many planes
+  * are wrong, but hardly all. Of every row the first 32 points count.
+  * \return \a graph itself if nothing changes; else one whose changed rows hold at most 32 points */
 NeighborGraph::ConstPtr
 separateSheets (const NeighborGraph::ConstPtr& graph,
                 const Positions& positions,

@@ -122,7 +122,7 @@ TEST (Hough, KnowsAPlaneInAnyUnit)
 TEST (Hough, DrawsTheTriplesOfItsBound)
 {
   const HoughEstimator estimator ({});
-  EXPECT_NEAR (static_cast<double> (estimator.binCount ()), 155, 15); // about, says DESIGN
+  EXPECT_NEAR (static_cast<double> (estimator.binCount ()), 155, 15); // 2 n_phi sin (angle) in each band: about 144
   const double bound = std::log (2 * static_cast<double> (estimator.binCount ()) / 0.05) / (2 * 0.08 * 0.08);
   EXPECT_NEAR (static_cast<double> (estimator.maxTriples ()), bound, 1.5);
 }

@@ -74,7 +74,7 @@ protected:
   }
 };
 
-// Bounds a quarter above what holds on other seeds too: a broken weight or gain costs more than that.
+// Bounds a quarter above what holds on other seeds too: a broken weight or covariance costs more than that.
 TEST_P (RobustSmoothingTest, PointsComeCloseToTheSurface)
 {
   const bool fast = GetParam ();

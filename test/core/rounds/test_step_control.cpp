@@ -27,7 +27,7 @@ protected:
 
   /** The share of the step that is taken, by the averages of stepRisks. */
   float
-  shareFor (float product, float size, const StepGain& gain = {1, nullptr})
+  shareFor (float product, float size, const RiskLimit& limit = {1, nullptr})
   {
     Vectors taken (graph_->size ());
     for (std::size_t i = 0; i < graph_->size (); ++i)
@@ -36,7 +36,7 @@ protected:
     steps.nodes = nodeArrays (nodes_, normals_);
     steps.proposed = proposed_.data ()->data ();
     steps.risks = risks_.data ();
-    steps.gain = gain;
+    steps.limit = limit;
     steps.max_displacement = std::numeric_limits<float>::infinity ();
     steps.taken = taken.data ()->data ();
     forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels ().take_steps (steps, rows); });
@@ -70,7 +70,7 @@ TEST_F (StepControlTest, TheFourthPowerOfWhatTheRiskAllowsIsTaken)
   EXPECT_EQ (shareFor (0, 0), 0);
 }
 
-TEST_F (StepControlTest, APointSaysNoMoreThanThreeGains)
+TEST_F (StepControlTest, APointSaysNoMoreThanThreeLimits)
 {
   const std::pair<float, float> products[] = {{0.5f, 0.5f}, {-2, -2}, {100, 3}, {-100, -3}};
   for (const auto& [moved, expected] : products) {

@@ -3,8 +3,8 @@
 #include "shapes.h"
 
 #include <core/search/hash_sample.h>
+#include <core/sheets/sheet_criterion.h>
 #include <core/sheets/sheet_estimate.h>
-#include <core/sheets/sheet_test.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
 #include <gtest/gtest.h>

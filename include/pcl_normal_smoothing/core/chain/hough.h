@@ -11,37 +11,37 @@ namespace core
   * Features" (SGP 2012). */
 struct HoughOptions
 {
-  /** a: probability with which the votes come close to their distribution, in (0, 1). */
+  /** a: probability that the votes are close to their distribution, in (0, 1). */
   float confidence = 0.95f;
   /** d: how close, in [0.001, 1). At most T = ln (2 M / (1 - a)) / (2 d^2) triples are drawn, M the number of bins. */
   float tolerance = 0.08f;
-  /** n_phi: bands of a bin's height between the poles, 2 to 1000. */
+  /** n_phi: number of bands between the poles, each as high as a bin, 2 to 1000. */
   int bands = 15;
-  /** Randomly rotated accumulators, against the bias of the grid, 1 to 1000. */
+  /** Number of randomly rotated accumulators, against the bias of the grid, 1 to 1000. */
   int rotations = 5;
   std::uint64_t seed = 0;
 };
 
-/** Votes for the normals of planes through triples of neighbours. The same result for the same seed and coordinates,
-  * whatever else is computed and in which order. */
+/** Lets planes through triples of neighbours vote for normals. The result depends only on the seed and the
+  * coordinates, not on what else is computed or in which order. */
 class HoughEstimator
 {
 public:
-  /** \throw Error where an option is out of range */
+  /** \throw Error if an option is out of range */
   explicit HoughEstimator (const HoughOptions& options);
 
-  /** The mean normal of the most voted bin, averaged over the rotations; the surface variation is PCA's. */
+  /** The mean normal of the bin with most votes, averaged over the rotations; the surface variation is that of PCA. */
   LocalSurface
   estimate (const Neighborhood& neighborhood) const;
 
-  /** M: bins of half a sphere. */
+  /** M: number of bins on a hemisphere. */
   std::size_t
   binCount () const
   {
     return static_cast<std::size_t> (band_begin_.back ());
   }
 
-  /** T: the most triples that are drawn for a point. */
+  /** T: upper bound on the triples drawn for a point. */
   std::size_t
   maxTriples () const
   {
@@ -59,15 +59,14 @@ private:
 
   using RowMajorMatrix = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 
-  /** Lets the triples vote in one accumulator, 16 at a time, until the winner is clear or all that it may have are
-    * drawn.
-    * \return the mean normal of the winning bin; zero where no triple spans a plane */
+  /** Lets triples vote in one accumulator, 16 at a time, until the winner is clear or its share of triples is drawn.
+    * \return the mean normal of the winning bin; zero if no triple spans a plane */
   Eigen::Vector3f
   vote (const RowMajorMatrix& rotation, const Vectors& points, TripleSource& triples, std::vector<Bin>& bins) const;
 
   HoughOptions options_;
-  std::vector<float> band_begin_;  // first bin of every band, then M
-  std::vector<float> band_cosine_; // of the angle from the pole at which every band ends
+  std::vector<float> band_begin_;  // first bin of each band, then M
+  std::vector<float> band_cosine_; // of the angle from the pole at which each band ends
   std::size_t max_triples_ = 0;
   std::vector<RowMajorMatrix> rotations_;
 };

@@ -7,11 +7,11 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** What a neighbourhood tells of the surface. */
+/** The normal and surface variation of a neighbourhood. */
 struct LocalSurface
 {
-  /** Length 1, sign arbitrary; NaN where fewer than 3 points count or they lie on a line. WPCA does not count the point
-    * itself. */
+  /** Unit length, arbitrary sign; NaN if fewer than 3 points count or they lie on a line. WPCA does not count the
+    * point itself. */
   Eigen::Vector3f normal;
   /** Surface variation, l0 / (l0 + l1 + l2) with l0 the smallest eigenvalue of the covariance (Pauly et al. 2002): 0 to
     * 1/3; NaN with the normal. */
@@ -26,7 +26,7 @@ LocalSurface
 pcaSurface (const Neighborhood& neighborhood);
 
 /** WPCA, eq. 1 of Valdivia et al. 2013: weight 1 / |p_j - p_i| over the other points, about their weighted centroid.
-  * Points at distance zero are skipped: they carry no direction. So three others are needed. */
+  * Points at distance zero have no direction and are skipped, so three others are needed. */
 LocalSurface
 wpcaSurface (const Neighborhood& neighborhood);
 } // namespace core

@@ -16,22 +16,21 @@ struct NormalFilterOptions
   /** sigma_s of eq. 5, the standard deviation of |n_i - n_j|, above 0. */
   float sigma_s = 0.3f;
   MixedThreshold mixed_threshold = MixedThreshold::PRINTED;
-  /** Normals point to the same side everywhere: nothing is flipped. */
+  /** Normals are consistently oriented: none is flipped. */
   bool oriented = false;
   int iterations = 0;
 };
 
-/** \throw Error where an option is out of range */
+/** \throw Error if an option is out of range */
 void
 check (const NormalFilterOptions& options);
 
 /** Runs options.iterations iterations of eq. 2: a node's normal becomes the weighted sum of the normals of its
-  * neighbourhood, itself included, at length 1. A neighbour at more than 90 degrees counts with its opposite, unless
-  * the normals are oriented; the sign of the node's own normal stays. Neighbours without a normal (NaN) do not count;
-  * where the sum vanishes, or the node has no normal, the old one stays. sigma_c of eq. 5 is the mean distance to the
-  * others.
+  * neighbourhood, itself included, normalised. A normal at more than 90 degrees is flipped, unless the normals are
+  * oriented; the sign of the node's own normal stays. Neighbours without a normal (NaN) do not count; if the sum
+  * vanishes, or the node has no normal, the old one stays. sigma_c of eq. 5 is the mean distance to the other points.
   * \param[in] positions of the nodes
-  * \param[in,out] normals of the nodes, length 1 or NaN */
+  * \param[in,out] normals of the nodes, of unit length or NaN */
 void
 filterNormals (const NeighborGraph& graph,
                const Positions& positions,

@@ -6,7 +6,7 @@
 
 namespace pcl_normal_smoothing
 {
-/** Where the normals come from, section II.A of Valdivia et al. 2013. */
+/** The source of the normals, section II.A of Valdivia et al. 2013. */
 enum class NormalSource
 {
   PCA,
@@ -17,15 +17,15 @@ enum class NormalSource
 
 namespace core
 {
-/** One point's neighbourhood to its surface. Called from many threads. */
+/** Maps a neighbourhood to its surface. Called from many threads. */
 using SurfaceEstimator = std::function<LocalSurface (const Neighborhood&)>;
 
-/** \param[in] k number of neighbours, the point itself included; 0 = by radius
-  * \throw Error where no neighbourhood of k points would have a normal: below 4 for WPCA, below 3 for PCA and HOUGH */
+/** \param[in] k number of neighbours, the point itself included; 0: by radius
+  * \throw Error if no neighbourhood of k points can have a normal: below 4 for WPCA, below 3 for PCA and HOUGH */
 void
 checkNeighborCount (NormalSource source, int k);
 
-/** \throw Error for NormalSource::INPUT, and where a Hough option is out of range */
+/** \throw Error for NormalSource::INPUT, and if a Hough option is out of range */
 SurfaceEstimator
 makeEstimator (NormalSource source, const HoughOptions& hough);
 
@@ -47,9 +47,9 @@ estimateNormals (const NeighborGraph& graph,
   * threads. */
 using QuerySearch = std::function<void (std::size_t i, std::vector<std::uint32_t>& neighbors)>;
 
-/** The surfaces at points that need not be among those that sample it; query.k counts whatever is found.
-  * \param[in] surface those of its points that are not finite are left out
-  * \param[in] queries invalid where one is not finite */
+/** The surfaces at points that need not be among those that sample it; query.k counts all points found.
+  * \param[in] surface points that are not finite are left out
+  * \param[in] queries if one is not finite, its result is invalid */
 std::vector<LocalSurface>
 querySurfaces (const Positions& surface,
                const Positions& queries,
@@ -57,7 +57,7 @@ querySurfaces (const Positions& surface,
                const SurfaceEstimator& estimator,
                const Execution& execution);
 
-/** As above, from the answers of any search, which is asked for finite points only. */
+/** As above, with the results of any search, which is called for finite points only. */
 std::vector<LocalSurface>
 querySurfaces (const Positions& surface,
                const Positions& queries,

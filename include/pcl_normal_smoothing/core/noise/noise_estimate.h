@@ -18,10 +18,10 @@ enum class NoiseHiddenBy
   WIDTH     //!< the noise is wider than the points are apart, everywhere or in places
 };
 
-/** What a cloud tells of its noise, in the unit of its positions. */
+/** Estimated noise of a cloud, in the unit of its positions. */
 struct NoiseEstimate
 {
-  /** Standard deviation of the noise along the normal: at half of the points it is larger, where it varies. */
+  /** Standard deviation of the noise along the normal; if it varies, the median over the points. */
   float sigma = 0;
   /** Distance between neighbouring points: the median over the points. */
   float spacing = 0;
@@ -37,12 +37,12 @@ struct NoiseEstimate
   }
 };
 
-/** Estimates the noise from what quadrics through small neighbourhoods leave, and extrapolates from two sizes of
-  * neighbourhood what curvature adds to it. Uses a sample of about 4,096 points that is chosen by a hash of the
-  * coordinates, and quantiles, which do not depend on an order: the same cloud gives the same bits in any order. Where
-  * points lie in layers or on lines, or noise is wide, wider neighbourhoods tell it.
-  * \param[in] graph where a row has fewer than 16 points, the neighbours are searched again
-  * \return sigma 0 where neighbourhoods have fewer than 8 points or no extent */
+/** Estimates the noise from the residuals of quadrics through small neighbourhoods, and from two sizes of these
+  * extrapolates the part that is due to curvature. Uses a sample of about 4,096 points, chosen by a hash of the
+  * coordinates, and quantiles, which do not depend on an order: for the same cloud the result is bit for bit the same
+  * in any order. If points lie in layers or on lines, or noise is wide, it uses wider neighbourhoods.
+  * \param[in] graph if a row has fewer than 16 points, the neighbours are searched again
+  * \return sigma 0 if neighbourhoods have fewer than 8 points or no extent */
 NoiseEstimate
 estimateNoise (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
 } // namespace core

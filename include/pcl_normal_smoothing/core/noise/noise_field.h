@@ -8,11 +8,11 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** How the noise of a cloud varies from place to place: a scanner measures worse what is far, dark or slanting.
-  * Regions, each with its part of the cloud's sigma. */
+/** How the noise of a cloud varies from place to place, as scanners measure far, dark or slanting surfaces less
+  * well: regions, each with a factor on the cloud's sigma. */
 struct NoiseField
 {
-  /** sigma there over that of the cloud, > 0. None: the noise is the same everywhere. */
+  /** sigma of a region over that of the cloud, > 0. No regions: the noise is the same everywhere. */
   RegionalField factors;
 
   bool
@@ -42,31 +42,31 @@ struct NoiseField
   }
 };
 
-/** How sure it is, 0 to 1, that what quadrics leave is detail and not noise: it differs more inside of regions than one
-  * noise would.
-  * \param[in] variances of the 12 nearest, what a sample of the whole cloud shows, in any order; 0 for less than three
-  * quarters of noise_sample_size
+/** Certainty, 0 to 1, that residuals of quadrics are detail and not noise: within regions they differ more than those
+  * of uniform noise.
+  * \param[in] variances of the 12 nearest for a sample of the whole cloud, in any order; with fewer than three quarters
+  * of noise_sample_size the result is 0
   * \param[in] spacing between neighbouring points, > 0 */
 double
 certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing);
 
-/** \param[in] variances what a sample of the whole cloud shows, in any order
+/** \param[in] variances residual variances for a sample of the whole cloud, in any order
   * \param[in] spacing between neighbouring points, > 0
-  * \param[in] ratio sigma over it: the smaller, the more must regions differ, for detail looks like noise
-  * \param[in] certainty_of_detail 0 to 1: so much less do regions count
-  * \return the factor 1 is the median of the sample; no regions where they hardly differ, or the sample is too small to
-  * tell */
+  * \param[in] ratio of sigma to the spacing: the smaller, the more must regions differ, as detail looks like noise
+  * \param[in] certainty_of_detail 0 to 1: reduces the differences of regions by this share
+  * \return factors relative to the median of the sample; no regions if they hardly differ, or the sample is too
+  * small */
 NoiseField
 estimateNoiseField (const std::vector<LocalValue>& variances,
                     float spacing,
                     double ratio,
                     double certainty_of_detail = 0);
 
-/** The field of a noise that is as much larger in a region as its value is larger than \a usual, which is > 0. */
+/** The field of a noise proportional to the regions' values, with factor 1 at the value \a usual, which is > 0. */
 NoiseField
 relativeField (RegionalField values, float usual);
 
-/** The squares of factorAt for all nodes; empty where the field is even. */
+/** The squares of factorAt for all nodes; empty if the field is even. */
 Numbers
 varianceFactors (const NoiseField& field, const Positions& positions, const Execution& execution);
 } // namespace core

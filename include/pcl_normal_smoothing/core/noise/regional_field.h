@@ -9,12 +9,12 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** A number that varies slowly over a cloud, known by regions. */
+/** A number that varies slowly over a cloud, given by regions. */
 struct RegionalField
 {
   struct Region
   {
-    /** The middle of its box, and the distance from there to the corners, > 0: in the unit of the positions. */
+    /** The middle of its box, and the distance from there to the corners, > 0; in the unit of the positions. */
     Eigen::Vector3f centre;
     float reach;
     float value;
@@ -22,8 +22,8 @@ struct RegionalField
 
   std::vector<Region> regions;
 
-  /** A mean of all regions, the nearer ones counting for more. \return \a otherwise without regions, or where no weight
-    * is above 0 */
+  /** A mean over all regions, in which nearer ones count more. \return \a otherwise if there are no regions, or no
+    * weight is above 0 */
   float
   valueAt (const Eigen::Vector3f& place, float otherwise) const;
 
@@ -35,22 +35,22 @@ struct RegionalField
   inUnit (double unit) const;
 };
 
-/** What one point of a sample shows of such a number. */
+/** The value of such a number at one point of a sample. */
 struct LocalValue
 {
   Eigen::Vector3f place;
   float value;
 };
 
-/** Points of a sample in a region at least, where a quantile over it should be that of the noise within a tenth. */
+/** Minimum number of sample points in a region for a quantile of the noise within a tenth. */
 constexpr std::size_t usual_region_size = 64;
 
-/** A quantile over regions of a sample.
+/** A quantile of a sample in each of its regions.
   * \param[in] sample at least one point, in any order
   * \param[in] spacing between neighbouring points, > 0
-  * \param[in] level in [0, 1), that of the median for .5
-  * \param[in] region_size of the sample in a region at least, at most one less than twice that; or all where it has
-  * fewer */
+  * \param[in] level in [0, 1), .5 for the median
+  * \param[in] region_size minimum number of sample points in a region, which has fewer than twice as many; a smaller
+  * sample is one region */
 RegionalField
 regionalQuantiles (std::vector<LocalValue> sample,
                    float spacing,

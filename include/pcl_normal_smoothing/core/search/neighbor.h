@@ -8,12 +8,12 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Which neighbours a point has: the k nearest, all closer than a radius, or the k nearest closer than a radius. */
+/** Defines the neighbours of a point: the k nearest, all within a radius, or the k nearest within a radius. */
 struct NeighborQuery
 {
-  /** Number of neighbours, the point itself included; 0 = as many as there are. */
+  /** Number of neighbours, the point itself included; 0: unlimited. */
   std::uint32_t k = 0;
-  /** Neighbours are closer than this, in the unit of the positions that are searched. */
+  /** Neighbours are closer than this, in the unit of the searched positions. */
   float radius = std::numeric_limits<float>::infinity ();
   /** Points in one place count as one: NeighborGraph::copies. */
   bool distinct = false;
@@ -26,12 +26,12 @@ struct NeighborQuery
   }
 };
 
-/** A neighbour that a search has found. */
+/** A neighbour found by a search. */
 struct Neighbor
 {
   float sq_dist;
-  std::uint32_t rank; // decides between equal distances, the lowest first
-  std::uint32_t slot; // where the searched structure keeps it
+  std::uint32_t rank; // decides between equal distances, lowest first
+  std::uint32_t slot; // its index in the searched structure
 
   bool
   operator<(const Neighbor& other) const

@@ -13,30 +13,30 @@ namespace core
 {
 /** The neighbourhoods of all finite points of a cloud, searched once and shared by all stages.
   *
-  * Its nodes are the cloud's finite points, or, where the query is for distinct ones, the first in every place of
-  * these, in an order that follows space, so that a kernel that walks over the nodes finds its neighbours in the cache
-  * whatever the cloud's order. A row begins with the point itself; its neighbours follow by (squared distance, index in
-  * the cloud), and a tie at the k-th place goes to the lowest index. */
+  * Nodes are the cloud's finite points, or, if the query is for distinct points, the first in every place. Their
+  * order follows space, so that a kernel that visits the nodes in order finds its neighbours in the cache, whatever
+  * the cloud's order. A row begins with the point itself; its neighbours follow by (squared distance, index in the
+  * cloud), and a tie at the k-th place goes to the lowest index. */
 class NeighborGraph
 {
 public:
   using Ptr = std::shared_ptr<NeighborGraph>;
   using ConstPtr = std::shared_ptr<const NeighborGraph>;
 
-  /** Replaces \a neighbors by the indices in the cloud of the neighbours of the point with that index, in any order,
+  /** Replaces \a neighbors by the cloud indices of the neighbours of the point with the given index, in any order,
     * with or without the point itself. Called from many threads. */
   using Search = std::function<void (std::uint32_t index, std::vector<std::uint32_t>& neighbors)>;
 
   /** Searches the neighbours of all finite points.
     * \param[in] cloud positions in the cloud's order; those that are not finite are left out
-    * \param[in] query k counts the point itself; fewer points than k: the rows hold all there are */
+    * \param[in] query k counts the point itself; if there are fewer than k points, rows contain all */
   static Ptr
   build (const Positions& cloud, const NeighborQuery& query, const Execution& execution);
 
-  /** Searches the neighbours of some points only, and of what can be reached from them: for a sample of a cloud.
+  /** Searches the neighbours of some points only, and of those reachable from them: for a sample of a cloud.
     * \param[in] start finite points of the cloud, each once
-    * \param[in] hops along rows. The nodes are \a start, in that order, copies apart, and what is reached by so many
-    * hops and one more; the rows of what only the last one reaches hold nothing but the node */
+    * \param[in] hops along rows. The nodes are \a start, in that order but without copies, and the points reached by
+    * one more hop than this; the rows of those reached only by the last one hold just the node itself */
   static Ptr
   buildAround (const Positions& cloud,
                const Elements& start,
@@ -44,24 +44,24 @@ public:
                const NeighborQuery& query,
                const Execution& execution);
 
-  /** As build, from the answers of any search.
-    * \param[in] distinct as in NeighborQuery: what the search says of a copy, it says of the node */
+  /** As build, with the results of any search.
+    * \param[in] distinct as in NeighborQuery: a copy in the results stands for its node */
   static Ptr
   build (const Positions& cloud, const Search& search, const Execution& execution, bool distinct = false);
 
-  /** The same nodes, with neighbourhoods searched anew after they have moved.
+  /** The same nodes, with neighbourhoods searched again after they have moved.
     * \param[in] nodes positions in the order of the nodes */
   Ptr
   rebuild (const Positions& nodes, const NeighborQuery& query, const Execution& execution) const;
 
-  /** As above, from the answers of any search. */
+  /** As above, with the results of any search. */
   Ptr
   rebuild (const Positions& nodes, const Search& search, const Execution& execution) const;
 
-  /** A graph in which some rows are others, no longer than they were; it shares the memory of all other blocks.
+  /** A graph with some rows replaced by others that are no longer; it shares the memory of all other blocks.
     * \param[in] nodes whose rows change, ascending
-    * \param[in] rows those of all \a nodes, one after the other, of \a length each; the node itself comes first and
-    * fills what is left behind the last neighbour */
+    * \param[in] rows of all \a nodes, one after another, each of the given \a length; the node itself comes first,
+    * and pads the row after the last neighbour */
   Ptr
   withRows (const std::vector<std::uint32_t>& nodes, const std::vector<std::uint32_t>& rows, std::size_t length) const;
 
@@ -72,27 +72,27 @@ public:
     return order_->size ();
   }
 
-  /** The neighbourhood of a node: numbers of nodes. */
+  /** The neighbourhood of a node, as numbers of nodes. */
   Row
   row (std::size_t node) const;
 
-  /** Nodes come in blocks of block_size, for kernels that work on several at once. */
+  /** Nodes are grouped into blocks of block_size, for kernels that process several at once. */
   std::size_t
   blockCount () const
   {
     return (size () + block_size - 1) / block_size;
   }
 
-  /** The neighbours of the nodes of a block: the first of every node, then the second of every node ... A node with
-    * fewer than the others is its own neighbour for the rest; lanes behind the last node repeat it. */
+  /** The neighbours of the nodes of a block: the first of every node, then the second of every node, and so on. A
+    * shorter row is padded with its node; lanes beyond the last node repeat it. */
   const std::uint32_t*
   blockRows (std::size_t block) const
   {
     return block_rows_[block];
   }
 
-  /** Where the rows of a block begin among those of all blocks, one after the other; for \a block = blockCount () their
-    * end. */
+  /** Begin of a block's rows when those of all blocks are stored one after another; for \a block = blockCount ()
+    * their end. */
   std::size_t
   blockBegin (std::size_t block) const
   {
@@ -113,36 +113,36 @@ public:
     return min_row_length_;
   }
 
-  /** Index in the cloud of every node. */
+  /** Cloud index of every node. */
   const Elements&
   order () const
   {
     return *order_;
   }
 
-  /** Points that lie where a node lies, and are none themselves; originals are nodes. */
+  /** Points in the place of a node that are not nodes themselves; originals are nodes. */
   const Copies&
   copies () const
   {
     return *copies_;
   }
 
-  /** Index in the cloud of every node, then of every copy. */
+  /** Cloud index of every node, then of every copy. */
   Elements
   points () const;
 
-  /** \param[in,out] of_nodes what belongs to the nodes; on return, to points () */
+  /** \param[in,out] of_nodes one value per node; on return one per element of points () */
   void
   repeatForCopies (Vectors& of_nodes) const;
 
-  /** Number of points that are nodes or copies of them: of a whole cloud, all that are finite. */
+  /** Number of points that are nodes or copies of nodes: for a whole cloud, all finite points. */
   std::size_t
   finiteCount () const
   {
     return order_->size () + copies_->points.size ();
   }
 
-  /** Number of points of the cloud, those that are not finite included. */
+  /** Number of points of the cloud, including those that are not finite. */
   std::size_t
   cloudSize () const
   {
@@ -154,11 +154,11 @@ private:
 
   static constexpr auto no_node = std::numeric_limits<std::uint32_t>::max ();
 
-  /** The node of every point that is one, or a copy of one; of others no_node. */
+  /** The node of every point that is a node or a copy of one; no_node for other points. */
   std::vector<std::uint32_t>
   nodesOfPoints () const;
 
-  /** \param[in] copies with points as originals; those that are no nodes do not count */
+  /** \param[in] copies with points as originals; those whose original is not a node are ignored */
   void
   setCopies (const Copies& copies);
 
@@ -166,17 +166,17 @@ private:
 
   std::shared_ptr<const Elements> order_ = std::make_shared<const Elements> (); // shared by graphs of the same nodes
   std::shared_ptr<const Copies> copies_ = std::make_shared<const Copies> ();    // likewise
-  std::vector<std::shared_ptr<Neighbors>> neighbors_; // kept alive: those of all blocks, then changed ones
+  std::vector<std::shared_ptr<Neighbors>> neighbors_; // kept alive: that of all blocks, then those of changed rows
   std::vector<const std::uint32_t*> block_rows_;
   std::vector<std::size_t> block_begin_; // blockCount () + 1
   std::size_t cloud_size_ = 0, min_row_length_ = 0;
 };
 
-/** The elements of \a positions that \a order names, in that order. */
+/** The elements of \a positions named by \a order, in that order. */
 Positions
 gather (const Positions& positions, const Elements& order, const Execution& execution = Execution (1));
 
-/** Numbers of the positions whose three coordinates are finite. */
+/** The numbers of the positions with three finite coordinates. */
 Elements
 finiteElements (const Positions& positions, const Execution& execution = Execution (1));
 } // namespace core

@@ -7,15 +7,15 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** From the origin to the middle of the points as they are seen from there, of length 1; zero where they do not all lie
-  * before it, less than 53 degrees aside. */
+/** Unit vector from the origin to the middle of the points as seen from there; zero unless nearly all (99 %) lie
+  * before it, less than 53 degrees off. */
 Eigen::Vector3d
 viewingDirection (const Positions& nodes, const Execution& execution);
 
-/** Whether the points are those of a depth camera at the origin: seen from there, neighbours lie a pixel apart, near or
-  * far.
+/** Whether the points are those of a depth camera at the origin: seen from there, neighbours are one pixel apart, near
+  * and far.
   * \param[in] graph of all nodes
-  * \param[in] axis of the camera, of length 1, to either side */
+  * \param[in] axis of the camera, of unit length; its sign does not matter */
 bool
 isGridOfCamera (const NeighborGraph& graph,
                 const Positions& nodes,

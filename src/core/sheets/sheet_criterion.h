@@ -12,41 +12,43 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** How many neighbours are asked whether they lie on another sheet. */
+/** Number of neighbours that are tested. */
 constexpr std::size_t sheet_row_length = max_row_length;
 
-/** So many of them tell that there is one. */
+/** Number of neighbours on another sheet that show there is one. */
 constexpr int min_other_neighbors = 3;
 
-/** Rows of so few neighbours hold but one or two of another sheet, though these spoil them. */
+/** Rows this short hold only one or two points of another sheet, which are enough to spoil them. */
 constexpr std::size_t short_row_length = 16;
 
-/** \param[in] row_length the node counted
-  * \return how many neighbours on another sheet change a row */
+/** \param[in] row_length the node included
+  * \return how many neighbours on another sheet make a row change */
 constexpr int
 othersToChange (std::size_t row_length)
 {
   return row_length > short_row_length ? min_other_neighbors : 1;
 }
 
-/** How sure it must be that a neighbour lies on another sheet: normals are wrong by some slope. */
+/** How clearly a neighbour must lie off the tangent plane to count as on another sheet; the slope allows for errors
+  * of the normal. */
 struct SheetEvidence
 {
-  float distances; // of the sheet distance
-  float slope;     // of the way to the neighbour
+  float distances; // in sheet distances
+  float slope;     // in distances to the neighbour
 };
 
-// A row changes only where there is no doubt; then it had better lose a point too much.
+// A row is changed only on strong evidence. Once it is, weaker evidence suffices to drop a point: losing one too many
+// does little harm.
 constexpr SheetEvidence evidence_to_change = {1, .3f};
 constexpr SheetEvidence evidence_to_drop = {.875f, .15f};
 
-/** Whether two points lie on sheets that are so far apart. */
-class SheetTest
+/** Tests whether two points lie on different sheets, at least a given distance apart. */
+class SheetCriterion
 {
 public:
-  /** \param[in] normals of the nodes that are asked for
-    * \param[in] oriented opposite normals are enough */
-  SheetTest (const Positions& positions, const Vectors& normals, float distance, bool oriented)
+  /** \param[in] normals of the nodes that are tested
+    * \param[in] oriented opposite normals suffice */
+  SheetCriterion (const Positions& positions, const Vectors& normals, float distance, bool oriented)
   : positions_ (positions), normals_ (normals), sq_distance_ (distance * distance), oriented_ (oriented)
   {}
 
@@ -56,7 +58,7 @@ public:
     return std::abs (normals_[i].dot (normals_[j])) > min_cosine;
   }
 
-  /** How far j lies from the mean of both tangent planes, which a curved sheet touches. */
+  /** Height of j over the mean of both tangent planes, which touches a curved sheet. */
   float
   height (std::uint32_t i, std::uint32_t j) const
   {
@@ -65,14 +67,14 @@ public:
     return .5f * (way.dot (own) + (own.dot (normal) < 0 ? -way.dot (normal) : way.dot (normal)));
   }
 
-  /** Where j may lie on the sheet of i or on a parallel one, and not on another side of it. */
+  /** Whether j may lie on the sheet of i or a parallel one that faces the same way. */
   bool
   areAlike (std::uint32_t i, std::uint32_t j) const
   {
     return areParallel (i, j) && !areOpposite (i, j);
   }
 
-  /** \param[in] sheet how high the sheet of i is above it */
+  /** \param[in] sheet height of the sheet of i over i */
   bool
   isOther (std::uint32_t i, std::uint32_t j, const SheetEvidence& evidence, float sheet = 0) const
   {
@@ -84,8 +86,8 @@ public:
                                    evidence.slope * evidence.slope * squaredLength (positions_.difference (i, j));
   }
 
-  /** isOther of the neighbours of many nodes at once. \param[out] others how many of each are */
-  OtherSheetTest
+  /** isOther for the neighbours of many nodes at once. \param[out] others how many of each node's are */
+  OtherSheetCount
   ofRows (const SheetEvidence& evidence, Numbers& others) const
   {
     return {nodeArrays (positions_, normals_),
@@ -103,7 +105,7 @@ private:
     return oriented_ && normals_[i].dot (normals_[j]) < 0;
   }
 
-  // Sheets are parallel; a neighbour across an edge is none of them.
+  // Only parallel sheets count, not neighbours across an edge.
   static constexpr float min_cosine = .7f;
 
   const Positions& positions_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "camera_test.h"
+#include "camera_grid.h"
 
 #include "../quantile.h"
 
@@ -16,9 +16,9 @@ namespace
 {
 constexpr std::size_t sample_size = 512;
 constexpr double least_cosine = .6, min_share_before = .99;
-constexpr double max_spread_of_pixels = 1.25; // of the quartiles of what should be a pixel
+constexpr double max_spread_of_pixels = 1.25; // of the quartiles of the distances that should be one pixel
 
-/** Where the ray of a point meets the plane at distance 1. */
+/** Intersection of a point's ray with the plane at distance 1. */
 Eigen::Vector3d
 pixelOf (const Positions& nodes, std::uint32_t node, const Eigen::Vector3d& axis)
 {
