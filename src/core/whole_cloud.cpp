@@ -124,7 +124,7 @@ private:
   NoiseEstimate
   noiseOf (const NoiseSample& sample) const
   {
-    NoiseEstimate noise = estimateNoise (sample, widening_);
+    NoiseEstimate noise = noiseOfSample (sample, widening_);
     const WideNoise& wide = widening_.wide_noise;
     if (!wide.is_everywhere)
       noise.field = largerWhereWide (noise.field, wide);

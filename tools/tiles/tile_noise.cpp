@@ -50,7 +50,7 @@ protected:
     core::NeighborQuery query {core::noise_row_length};
     query.distinct = plan_.query.distinct;
     core::NoiseSample sample = sampleOf (query, {0, -1});
-    const core::NoiseEstimate noise = core::estimateNoise (sample);
+    const core::NoiseEstimate noise = core::noiseOfSample (sample);
     const auto all = static_cast<double> (sample.of_nodes.size ());
     std::vector<Eigen::Vector3d> places;
     for (const core::NoiseSample::Residuals& residuals : sample.of_nodes)
@@ -87,7 +87,7 @@ protected:
   core::NoiseEstimate
   separatedNoise () override
   {
-    return core::estimateNoise (sampleOf (plan_.query, {0, separation_depth_}));
+    return core::noiseOfSample (sampleOf (plan_.query, {0, separation_depth_}));
   }
 
   void

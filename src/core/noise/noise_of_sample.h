@@ -13,11 +13,15 @@ namespace core
 /** The estimate from a sample of the whole cloud, as if its neighbourhoods needed no widening; empty if most of its
   * rows are short. */
 NoiseEstimate
-estimateNoise (const NoiseSample& sample);
+noiseOfSample (const NoiseSample& sample);
+
+/** The estimate from the sample of a thinned cloud. Clumps are not sought, as detail looks like them there. */
+NoiseEstimate
+noiseOfThinnedSample (const NoiseSample& sample);
 
 /** The same for widened neighbourhoods. In layers, sigma is at least what steps of their size cause, and varies as
   * the steps do. On lines, only neighbourhoods of 12 and 16 points count, as 8 may still lie on one line. */
 NoiseEstimate
-estimateNoise (const NoiseSample& sample, const Widening& widening);
+noiseOfSample (const NoiseSample& sample, const Widening& widening);
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -7,6 +7,7 @@
 #include "../search/hash_sample.h"
 #include "../search/thinned_cloud.h"
 #include "cloud_thickness.h"
+#include "noise_of_sample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,7 @@ ThinnedNoise::shown (int halvings)
 {
   while (shown_.size () <= static_cast<std::size_t> (halvings)) {
     NoiseSample sample = thinnedSample (static_cast<int> (shown_.size ()));
-    const NoiseEstimate noise = estimateThinnedNoise (sample);
+    const NoiseEstimate noise = noiseOfThinnedSample (sample);
     const std::vector<float> variances = variancesOf (sample);
     const double upper = quantile (variances, .75), lower = quantile (variances, .25);
     shown_.push_back ({std::move (sample), noise, std::sqrt (upper), lower > 0 ? upper / lower : 0});

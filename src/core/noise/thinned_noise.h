@@ -14,10 +14,6 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** The estimate from the sample of a thinned cloud. Clumps are not sought, as detail looks like them there. */
-NoiseEstimate
-estimateThinnedNoise (const NoiseSample& sample);
-
 /** The noise as shown by neighbourhoods in the whole cloud, in half of it, a quarter and so on. Results are cached. */
 class ThinnedNoise
 {

@@ -194,7 +194,7 @@ ratioToSpacing (const ShownNoise& noise, LocalResidualsOfCloud& cloud, std::size
 std::vector<LocalValue>
 sigmasOf (const std::vector<ShownNoise>& hidden, const NoiseSample& sample, LocalResidualsOfCloud& cloud)
 {
-  const NoiseEstimate unthinned = estimateNoise (sample);
+  const NoiseEstimate unthinned = noiseOfSample (sample);
   std::vector<LocalValue> sigmas;
   for (std::size_t s = 0; s < hidden.size (); ++s) {
     const Eigen::Vector3f& place = sample.of_nodes[s].place;
