@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "noise_of_sample.h"
 #include "../quantile.h"
 #include "../spacing.h"
-#include "noise_of_sample.h"
 #include "residual_quantiles.h"
 
 #include <algorithm>
