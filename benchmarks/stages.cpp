@@ -2,7 +2,7 @@
 //
 // Google Benchmark of every stage: ./stages [--benchmark_filter=regex]. Beside the time: nanoseconds a point, and an
 // edge and core, where an edge is one neighbour of one point.
-#include "clouds.h"
+#include "kd_tree.h"
 
 #include <core/search/node_blocks.h>
 #include <core/sheets/sheet_separation.h>
@@ -11,7 +11,6 @@
 #include <pcl_normal_smoothing/vector_layout.h>
 
 #include <benchmark/benchmark.h>
-#include <pcl/search/kdtree.h>
 
 #include <map>
 
@@ -79,24 +78,12 @@ buildGraph (benchmark::State& state)
   count (state);
 }
 
-/** What others do: pcl::search::KdTree asked for every point. */
 void
 kdTreeOfPcl (benchmark::State& state)
 {
   const Input& input = inputOf (state);
-  const int threads = static_cast<int> (state.range (2));
-  for (auto _ : state) {
-    pcl::search::KdTree<pcl::PointXYZ> tree;
-    tree.setInputCloud (input.cloud);
-#pragma omp parallel num_threads(threads)
-    {
-      pcl::Indices indices;
-      std::vector<float> sq_dists;
-#pragma omp for schedule(dynamic, 256)
-      for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t> (input.cloud->size ()); ++i)
-        tree.nearestKSearch (static_cast<int> (i), static_cast<int> (state.range (1)), indices, sq_dists);
-    }
-  }
+  for (auto _ : state)
+    benchmarks::searchByKdTree (input.cloud, static_cast<int> (state.range (1)), static_cast<int> (state.range (2)));
   count (state);
 }
 

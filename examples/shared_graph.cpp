@@ -3,7 +3,6 @@
 #include <pcl_normal_smoothing/bilateral_normal_filter.h>
 #include <pcl_normal_smoothing/neighbor_graph.h>
 #include <pcl_normal_smoothing/normal_guided_point_update.h>
-#include <pcl_normal_smoothing/normal_smoothing.h>
 #include <pcl_normal_smoothing/wpca_normal_estimation.h>
 
 #include <iostream>

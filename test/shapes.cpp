@@ -159,6 +159,22 @@ withNoise (const Vectors& points, double sigma, std::uint64_t seed)
 }
 
 Vectors
+withNormalNoise (const Shape& shape, double sigma, std::uint64_t seed)
+{
+  return withNormalNoise (
+      shape, [=] (const Eigen::Vector3f&) { return sigma; }, seed);
+}
+
+Vectors
+withNormalNoise (const Shape& shape, const std::function<double (const Eigen::Vector3f&)>& sigma, std::uint64_t seed)
+{
+  Vectors points = shape.points;
+  for (std::size_t i = 0; i < points.size (); ++i)
+    points[i] += static_cast<float> (sigma (points[i]) * gaussianNoise (seed, i)) * shape.normals[i];
+  return points;
+}
+
+Vectors
 withRandomSigns (Vectors vectors, std::uint64_t seed)
 {
   for (std::size_t i = 0; i < vectors.size (); ++i)
@@ -175,6 +191,15 @@ permutation (std::size_t size, std::uint64_t seed)
   std::sort (order.begin (), order.end (),
              [seed] (std::uint32_t a, std::uint32_t b) { return hash (seed, a) < hash (seed, b); });
   return order;
+}
+
+Vectors
+shuffled (const Vectors& points, std::uint64_t seed)
+{
+  Vectors result;
+  for (const std::uint32_t i : permutation (points.size (), seed))
+    result.push_back (points[i]);
+  return result;
 }
 
 Positions

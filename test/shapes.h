@@ -3,6 +3,8 @@
 
 #include <pcl_normal_smoothing/core/positions.h>
 
+#include <functional>
+
 namespace test_support
 {
 using pcl_normal_smoothing::core::Positions;
@@ -62,6 +64,14 @@ gaussianNoise (std::uint64_t seed, std::uint64_t index);
 Vectors
 withNoise (const Vectors& points, double sigma, std::uint64_t seed);
 
+/** Every point displaced along its normal by normally distributed noise. */
+Vectors
+withNormalNoise (const Shape& shape, double sigma, std::uint64_t seed);
+
+/** The same. \param[in] sigma of the noise at a place */
+Vectors
+withNormalNoise (const Shape& shape, const std::function<double (const Eigen::Vector3f&)>& sigma, std::uint64_t seed);
+
 /** About half of the vectors turned round, as estimated normals are. */
 Vectors
 withRandomSigns (Vectors vectors, std::uint64_t seed);
@@ -69,6 +79,10 @@ withRandomSigns (Vectors vectors, std::uint64_t seed);
 /** A permutation of 0 ... size - 1. */
 std::vector<std::uint32_t>
 permutation (std::size_t size, std::uint64_t seed);
+
+/** In the order of permutation (points.size (), seed). */
+Vectors
+shuffled (const Vectors& points, std::uint64_t seed);
 
 /** Offsets are zero. */
 Positions

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "measures/mesh_distance.h"
+#include "measures/hinted_mesh_distance.h"
 #include "measures/neighborhoods.h"
 #include "models/model.h"
 
@@ -82,7 +82,7 @@ private:
 
   const Model& model_;
   double mean_edge_;
-  MeshDistance mesh_distance_;
+  HintedMeshDistance mesh_distance_;
   tools::Points vertex_normals_;
   Neighborhoods clean_;
   std::vector<std::uint32_t> near_edges_;

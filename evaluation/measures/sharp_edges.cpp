@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measures/sharp_edges.h"
 
+#include "measures/cgal_point.h"
 #include "meshes/mesh_edges.h"
 
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Geometry>
 
@@ -16,15 +16,8 @@ namespace pcl_normal_smoothing::evaluation
 {
 namespace
 {
-using Kernel = CGAL::Simple_cartesian<double>;
 using Segments = std::vector<Kernel::Segment_3>;
 using Primitive = CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator>;
-
-Kernel::Point_3
-toCgal (const Eigen::Vector3d& p)
-{
-  return {p.x (), p.y (), p.z ()};
-}
 
 Eigen::Vector3d
 normalOf (const tools::Mesh& mesh, std::uint32_t triangle)

@@ -35,9 +35,8 @@ def add(study, page):
         f"Sigma: {escape(sigmas or 'none')} mean edge lengths of the clean mesh; seeds: {escape(seeds or 'none')}",
         f"Rows: {len(study.select())} with a result, {len(study.rows) - len(study.select())} without",
     ])  # fmt: skip
-    command = study.info.get("command_line") or study.info.get("command")
+    command = study.info.get("command_line")
     if command:
-        command = " ".join(command) if isinstance(command, list) else command
         page.text(
             f"Made by <code>{escape(command)}</code>; <code>rows.csv</code> and <code>rows.json</code> beside this report"
             " hold every row."

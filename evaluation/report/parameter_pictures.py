@@ -70,7 +70,7 @@ def lengths(model):
 def image(stage, model, cloud, kind):
     """The surface with its vertices at the points, or lit by the points' own normals."""
     points = geometry.points_of(cloud)
-    label, colours, limits = kind
+    _, colours, limits = kind
     if kind is MOVED:
         values = gallery.distances_in_edges(model, points)
         return stage.draw([coloured(geometry.surface(points, model.triangles), values, limits, colours)], model.view)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/study_file.h"
 
+#include "command_line/options.h"
 #include "files/cloud_io.h"
 #include "files/output_file.h"
 #include "files/tool_error.h"
@@ -9,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <cstdio>
 #include <filesystem>
 
 namespace pcl_normal_smoothing::evaluation
@@ -59,9 +60,11 @@ readEarlier (const std::string& path)
     return Json::object ();
   try {
     const Json earlier = Json::parse (tools::readFile (path));
-    if (earlier.at ("version") != PROJECT_VERSION)
-      throw tools::FileError (
-          path, "is by version " + earlier.at ("version").get<std::string> () + ", this is " PROJECT_VERSION, advice);
+    if (earlier.at ("version") != tools::version ())
+      throw tools::FileError (path,
+                              "is by version " + earlier.at ("version").get<std::string> () + ", this is " +
+                                  tools::version (),
+                              advice);
     return earlier;
   }
   catch (const Json::exception& error) {
@@ -99,7 +102,7 @@ writeStudyFile (const std::string& folder, const StudyFile& study, const std::ve
     else
       throw tools::FileError (path, "has results of another model " + model.name, advice);
   }
-  const Json all {{"version", PROJECT_VERSION},
+  const Json all {{"version", tools::version ()},
                   {"command_line", study.command_line},
                   {"models", listed},
                   {"noises", united (earlier, "noises", study.noises)},

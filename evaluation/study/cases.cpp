@@ -6,7 +6,6 @@
 #include "study/clouds.h"
 
 #include <charconv>
-#include <filesystem>
 #include <new>
 
 namespace pcl_normal_smoothing::evaluation
@@ -60,7 +59,7 @@ Case::name () const
 std::string
 CaseWork::cloudPath (const std::string& stem) const
 {
-  return "clouds/" + that.name () + "/" + stem + ".ply";
+  return "clouds/" + noisy_case.name () + "/" + stem + ".ply";
 }
 
 void
@@ -116,7 +115,7 @@ void
 CaseWork::progressTo (Work work, const Row& row) const
 {
   progress.done (work, row.points,
-                 that.name () + ": " + row.name + (row.parameters.empty () ? "" : " ") + row.parameters);
+                 noisy_case.name () + ": " + row.name + (row.parameters.empty () ? "" : " ") + row.parameters);
 }
 
 } // namespace pcl_normal_smoothing::evaluation

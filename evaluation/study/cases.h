@@ -42,7 +42,7 @@ noiseName (tools::NoiseType noise);
 struct CaseWork
 {
   const StudyOptions& options;
-  const Case& that;
+  const Case& noisy_case;
   const Evaluator& evaluator;
   const tools::Points& noisy;
   Results& results;

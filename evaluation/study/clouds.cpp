@@ -5,6 +5,7 @@
 
 #include <pcl_normal_smoothing/vector_layout.h>
 
+#include <array>
 #include <filesystem>
 
 namespace pcl_normal_smoothing::evaluation

@@ -11,14 +11,14 @@ namespace pcl_normal_smoothing::evaluation
 
 /** The noisy cloud itself, and the presets. */
 void
-planOwn (const StudyOptions& options, const Case& that, const Results& results, Progress& progress);
+planOwn (const StudyOptions& options, const Case& noisy_case, const Results& results, Progress& progress);
 
 void
 workOnOwn (const CaseWork& work);
 
 /** The 540 combinations; the best and the worst by distance to the mesh are kept as clouds. */
 void
-planSweep (const StudyOptions& options, const Case& that, const Results& results, Progress& progress);
+planSweep (const StudyOptions& options, const Case& noisy_case, const Results& results, Progress& progress);
 
 void
 workOnSweep (const CaseWork& work);
@@ -26,7 +26,7 @@ workOnSweep (const CaseWork& work);
 /** The settings of the peers, as many at once as there are cores; of each peer the default and the best are kept as
   * clouds. */
 void
-planPeers (const StudyOptions& options, const Case& that, const Results& results, Progress& progress);
+planPeers (const StudyOptions& options, const Case& noisy_case, const Results& results, Progress& progress);
 
 void
 workOnPeers (const CaseWork& work);

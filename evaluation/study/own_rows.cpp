@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/families.h"
 
-#include <pcl_normal_smoothing/core/error.h>
 #include <pcl_normal_smoothing/normal_smoothing.h>
 
 #include <chrono>
@@ -18,11 +17,11 @@ const std::vector<std::pair<std::string, SmoothingPreset>> presets {{"default", 
 
 /** The noisy cloud first. */
 std::vector<Row>
-rowsOf (const Case& that)
+rowsOf (const Case& noisy_case)
 {
-  std::vector<Row> rows {that.row ("noisy", "noisy", "")};
+  std::vector<Row> rows {noisy_case.row ("noisy", "noisy", "")};
   for (const auto& preset : presets)
-    rows.push_back (that.row ("ours", preset.first, "-preset " + preset.first));
+    rows.push_back (noisy_case.row ("ours", preset.first, "-preset " + preset.first));
   return rows;
 }
 
@@ -54,14 +53,14 @@ smooth (const CaseWork& work, Row row, SmoothingPreset preset)
     points.push_back (point.getVector3fMap ().cast<double> ());
     normals.push_back (point.getNormalVector3fMap ().cast<double> ());
   }
-  work.answer (Work::OWN, row, points, normals, MeasureSet::ALL, work.that.isFirst () ? "ours_" + row.name : "");
+  work.answer (Work::OWN, row, points, normals, MeasureSet::ALL, work.noisy_case.isFirst () ? "ours_" + row.name : "");
 }
 } // namespace
 
 void
-planOwn (const StudyOptions&, const Case& that, const Results& results, Progress& progress)
+planOwn (const StudyOptions&, const Case& noisy_case, const Results& results, Progress& progress)
 {
-  for (const Row& row : rowsOf (that))
+  for (const Row& row : rowsOf (noisy_case))
     if (!results.answered (row.key ()))
       progress.plan (Work::OWN, row.points);
 }
@@ -69,9 +68,9 @@ planOwn (const StudyOptions&, const Case& that, const Results& results, Progress
 void
 workOnOwn (const CaseWork& work)
 {
-  const std::vector<Row> rows = rowsOf (work.that);
+  const std::vector<Row> rows = rowsOf (work.noisy_case);
   if (!work.results.answered (rows[0].key ()))
-    work.answer (Work::OWN, rows[0], work.noisy, {}, MeasureSet::ALL, work.that.isFirst () ? "noisy" : "");
+    work.answer (Work::OWN, rows[0], work.noisy, {}, MeasureSet::ALL, work.noisy_case.isFirst () ? "noisy" : "");
   for (std::size_t i = 0; i < presets.size (); ++i)
     if (!work.results.answered (rows[i + 1].key ()))
       smooth (work, rows[i + 1], presets[i].second);

@@ -11,18 +11,18 @@ namespace pcl_normal_smoothing::evaluation
 namespace
 {
 Row
-rowOf (const Case& that, const PeerSetting& setting)
+rowOf (const Case& noisy_case, const PeerSetting& setting)
 {
-  return that.row ("peer", setting.peer, setting.parameters + (setting.is_default ? " (default)" : ""));
+  return noisy_case.row ("peer", setting.peer, setting.parameters + (setting.is_default ? " (default)" : ""));
 }
 
 /** The row of a peer whose points are the nearest to the mesh; nullptr where none has worked. */
 const Row*
-bestRow (const Case& that, const std::string& peer, const Results& results)
+bestRow (const Case& noisy_case, const std::string& peer, const Results& results)
 {
   const Row* best = nullptr;
   for (const PeerSetting& setting : peerSettings ()) {
-    const Row* row = setting.peer == peer ? results.find (rowOf (that, setting).key ()) : nullptr;
+    const Row* row = setting.peer == peer ? results.find (rowOf (noisy_case, setting).key ()) : nullptr;
     if (row && row->ok () && (!best || row->measures.p2s_mean < best->measures.p2s_mean))
       best = row;
   }
@@ -31,11 +31,11 @@ bestRow (const Case& that, const std::string& peer, const Results& results)
 
 /** All settings for the first seed, and what was best there for the others: the defaults are the slowest. */
 bool
-isWanted (const StudyOptions& options, const Case& that, const PeerSetting& setting, const Results& results)
+isWanted (const StudyOptions& options, const Case& noisy_case, const PeerSetting& setting, const Results& results)
 {
-  if (that.isFirst ())
+  if (noisy_case.isFirst ())
     return setting.is_default || !options.small;
-  Case first = that;
+  Case first = noisy_case;
   first.seed = 1;
   const Row* best = bestRow (first, setting.peer, results);
   return best && best->key () == rowOf (first, setting).key ();
@@ -43,11 +43,11 @@ isWanted (const StudyOptions& options, const Case& that, const PeerSetting& sett
 
 /** How many peers have nothing to repeat for another seed: not yet, or not at all. */
 std::size_t
-peersWithoutBest (const StudyOptions& options, const Case& that, const Results& results)
+peersWithoutBest (const StudyOptions& options, const Case& noisy_case, const Results& results)
 {
-  if (!options.peers || that.isFirst ())
+  if (!options.peers || noisy_case.isFirst ())
     return 0;
-  Case first = that;
+  Case first = noisy_case;
   first.seed = 1;
   const std::vector<PeerSetting> settings = peerSettings ();
   return static_cast<std::size_t> (std::count_if (settings.begin (), settings.end (), [&] (const PeerSetting& setting) {
@@ -56,12 +56,12 @@ peersWithoutBest (const StudyOptions& options, const Case& that, const Results& 
 }
 
 std::vector<PeerSetting>
-missing (const StudyOptions& options, const Case& that, const Results& results)
+missing (const StudyOptions& options, const Case& noisy_case, const Results& results)
 {
   std::vector<PeerSetting> settings;
   if (options.peers)
     for (const PeerSetting& setting : peerSettings ())
-      if (isWanted (options, that, setting, results) && !results.answered (rowOf (that, setting).key ()))
+      if (isWanted (options, noisy_case, setting, results) && !results.answered (rowOf (noisy_case, setting).key ()))
         settings.push_back (setting);
   return settings;
 }
@@ -79,7 +79,7 @@ cloudStem (const PeerSetting& setting, const char* which)
 std::string
 stemToKeep (const CaseWork& work, const PeerSetting& setting, const Row* best_before, const Row& row)
 {
-  if (!work.that.isFirst ())
+  if (!work.noisy_case.isFirst ())
     return {};
   if (setting.is_default)
     return cloudStem (setting, "default");
@@ -92,7 +92,7 @@ forgetBestCloud (const CaseWork& work, const PeerSetting& better)
 {
   const std::string path = work.cloudPath (cloudStem (better, "best"));
   for (const PeerSetting& setting : peerSettings ())
-    if (const Row* named = work.results.find (rowOf (work.that, setting).key ()); named && named->cloud == path) {
+    if (const Row* named = work.results.find (rowOf (work.noisy_case, setting).key ()); named && named->cloud == path) {
       Row row = *named;
       row.cloud.clear ();
       work.results.put (row);
@@ -102,11 +102,11 @@ forgetBestCloud (const CaseWork& work, const PeerSetting& better)
 void
 take (const CaseWork& work, const PeerSetting& setting, const PeerResult& result)
 {
-  Row row = rowOf (work.that, setting);
+  Row row = rowOf (work.noisy_case, setting);
   row.seconds = result.seconds > 0 ? result.seconds : Measures::none;
   if (!result.failure.empty ())
     return work.refuse (Work::PEER, row, "failed", result.failure);
-  const Row* found = bestRow (work.that, setting.peer, work.results);
+  const Row* found = bestRow (work.noisy_case, setting.peer, work.results);
   const std::optional<Row> best_before = found ? std::optional<Row> (*found) : std::nullopt;
   work.answer (Work::PEER, row, result.points, {});
   row = *work.results.find (row.key ());
@@ -123,22 +123,23 @@ take (const CaseWork& work, const PeerSetting& setting, const PeerResult& result
 } // namespace
 
 void
-planPeers (const StudyOptions& options, const Case& that, const Results& results, Progress& progress)
+planPeers (const StudyOptions& options, const Case& noisy_case, const Results& results, Progress& progress)
 {
-  const std::size_t count = missing (options, that, results).size () + peersWithoutBest (options, that, results);
+  const std::size_t count =
+      missing (options, noisy_case, results).size () + peersWithoutBest (options, noisy_case, results);
   for (std::size_t i = 0; i < count; ++i)
-    progress.plan (Work::PEER, that.model.mesh.vertices.size ());
+    progress.plan (Work::PEER, noisy_case.model.mesh.vertices.size ());
 }
 
 void
 workOnPeers (const CaseWork& work)
 {
-  for (std::size_t i = peersWithoutBest (work.options, work.that, work.results); i > 0; --i)
+  for (std::size_t i = peersWithoutBest (work.options, work.noisy_case, work.results); i > 0; --i)
     work.progress.skip (Work::PEER, work.noisy.size ());
   std::vector<PeerSetting> settings;
-  for (const PeerSetting& setting : missing (work.options, work.that, work.results))
+  for (const PeerSetting& setting : missing (work.options, work.noisy_case, work.results))
     if (const auto reason = whyAbsent (setting.peer))
-      work.refuse (Work::PEER, rowOf (work.that, setting), "absent", *reason);
+      work.refuse (Work::PEER, rowOf (work.noisy_case, setting), "absent", *reason);
     else
       settings.push_back (setting);
   PeerRun run;

@@ -8,8 +8,6 @@
 #include "results/study_file.h"
 #include "study/families.h"
 
-#include <pcl_normal_smoothing/core/error.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -44,7 +42,7 @@ public:
     makeModels ();
     loadMeshes ();
     saveStudyFile ();
-    forEachCase ([&] (const Case& that) { plan (that); });
+    forEachCase ([&] (const Case& noisy_case) { plan (noisy_case); });
     for (const Model& model : models_)
       workOn (model);
     results_->save ();
@@ -113,8 +111,8 @@ private:
   {
     tools::note ("model " + name + " is left out: " + reason);
     const Model nothing {name, {}, {}, {}};
-    forCasesOf (nothing, [&] (const Case& that) {
-      Row row = that.row ("noisy", "noisy", "");
+    forCasesOf (nothing, [&] (const Case& noisy_case) {
+      Row row = noisy_case.row ("noisy", "noisy", "");
       row.status = "failed";
       row.reason = reason;
       results_->put (row);
@@ -133,21 +131,21 @@ private:
   }
 
   void
-  plan (const Case& that)
+  plan (const Case& noisy_case)
   {
-    planOwn (options_, that, *results_, progress_);
-    planSweep (options_, that, *results_, progress_);
-    planPeers (options_, that, *results_, progress_);
+    planOwn (options_, noisy_case, *results_, progress_);
+    planSweep (options_, noisy_case, *results_, progress_);
+    planPeers (options_, noisy_case, *results_, progress_);
   }
 
   void
   workOn (const Model& model)
   {
     Evaluator evaluator (model);
-    forCasesOf (model, [&] (const Case& that) {
-      const tools::Points noisy = that.noisyPoints (evaluator.meanEdge ());
+    forCasesOf (model, [&] (const Case& noisy_case) {
+      const tools::Points noisy = noisy_case.noisyPoints (evaluator.meanEdge ());
       evaluator.setNoisy (noisy);
-      const CaseWork work {options_, that, evaluator, noisy, *results_, progress_};
+      const CaseWork work {options_, noisy_case, evaluator, noisy, *results_, progress_};
       workOnOwn (work);
       workOnSweep (work);
       workOnPeers (work);

@@ -4,6 +4,8 @@
 #include "files/tool_error.h"
 #include "models/made_models.h"
 
+#include <algorithm>
+
 namespace pcl_normal_smoothing::evaluation
 {
 namespace

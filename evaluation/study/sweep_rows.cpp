@@ -12,9 +12,9 @@ namespace pcl_normal_smoothing::evaluation
 namespace
 {
 Row
-rowOf (const Case& that, const Combination& combination)
+rowOf (const Case& noisy_case, const Combination& combination)
 {
-  Row row = that.row ("sweep", combination.name (), combination.parameters ());
+  Row row = noisy_case.row ("sweep", combination.name (), combination.parameters ());
   row.k = combination.k;
   row.normal_iterations = combination.normal_iterations;
   row.point_iterations = combination.point_iterations;
@@ -30,12 +30,12 @@ isAnswered (const StudyOptions& options, const Results& results, const std::stri
 }
 
 std::vector<Combination>
-missing (const StudyOptions& options, const Case& that, const Results& results)
+missing (const StudyOptions& options, const Case& noisy_case, const Results& results)
 {
   std::vector<Combination> combinations;
-  if (options.sweep && that.isFirst ())
+  if (options.sweep && noisy_case.isFirst ())
     for (const Combination& combination : allCombinations ())
-      if (!isAnswered (options, results, rowOf (that, combination).key ()))
+      if (!isAnswered (options, results, rowOf (noisy_case, combination).key ()))
         combinations.push_back (combination);
   return combinations;
 }
@@ -57,9 +57,9 @@ bool
 extremesAreKept (const CaseWork& work)
 {
   const std::vector<Combination> all = allCombinations ();
-  return !work.options.sweep || !work.that.isFirst () ||
+  return !work.options.sweep || !work.noisy_case.isFirst () ||
          2 <= std::count_if (all.begin (), all.end (), [&] (const auto& c) {
-           const Row* row = work.results.find (rowOf (work.that, c).key ());
+           const Row* row = work.results.find (rowOf (work.noisy_case, c).key ());
            return row && !row->cloud.empty ();
          });
 }
@@ -69,7 +69,7 @@ void
 keepExtremes (const CaseWork& work, Sweep& sweep)
 {
   std::vector<Combination> all = allCombinations ();
-  const auto rowFor = [&] (const Combination& c) { return *work.results.find (rowOf (work.that, c).key ()); };
+  const auto rowFor = [&] (const Combination& c) { return *work.results.find (rowOf (work.noisy_case, c).key ()); };
   all.erase (std::remove_if (all.begin (), all.end (), [&] (const auto& c) { return !rowFor (c).ok (); }), all.end ());
   if (all.empty ())
     return;
@@ -94,21 +94,21 @@ keepExtremes (const CaseWork& work, Sweep& sweep)
 } // namespace
 
 void
-planSweep (const StudyOptions& options, const Case& that, const Results& results, Progress& progress)
+planSweep (const StudyOptions& options, const Case& noisy_case, const Results& results, Progress& progress)
 {
-  for (std::size_t i = missing (options, that, results).size (); i > 0; --i)
-    progress.plan (Work::SWEEP, that.model.mesh.vertices.size ());
+  for (std::size_t i = missing (options, noisy_case, results).size (); i > 0; --i)
+    progress.plan (Work::SWEEP, noisy_case.model.mesh.vertices.size ());
 }
 
 void
 workOnSweep (const CaseWork& work)
 {
-  const std::vector<Combination> combinations = missing (work.options, work.that, work.results);
+  const std::vector<Combination> combinations = missing (work.options, work.noisy_case, work.results);
   if (combinations.empty () && extremesAreKept (work))
     return;
   Sweep sweep (work.noisy);
   sweep.run (combinations, [&] (const Combination& combination, const Smoothed& smoothed) {
-    Row row = rowOf (work.that, combination);
+    Row row = rowOf (work.noisy_case, combination);
     row.seconds = smoothed.seconds;
     work.answer (Work::SWEEP, row, smoothed.points, smoothed.normals, work.options.sweep_measures);
   });

@@ -3,31 +3,52 @@
 
 #include <pcl_normal_smoothing/smoothing_settings.h>
 
+#include <map>
+
 namespace pcl_normal_smoothing::evaluation
 {
 namespace
 {
 struct Settings : SmoothingSettings
 {};
+
+/** What the paper and the tools call it. */
+struct Names
+{
+  std::string paper, tool;
+};
+
+const Names&
+namesOf (NormalSource source)
+{
+  static const std::map<NormalSource, Names> names {{NormalSource::PCA, {"P", "pca"}},
+                                                    {NormalSource::WPCA, {"WP", "wpca"}},
+                                                    {NormalSource::HOUGH, {"H", "hough"}}};
+  return names.at (source);
+}
+
+const Names&
+namesOf (NormalWeight weight)
+{
+  static const std::map<NormalWeight, Names> names {{NormalWeight::THRESHOLD, {"T", "threshold"}},
+                                                    {NormalWeight::GAUSSIAN, {"G", "gaussian"}},
+                                                    {NormalWeight::MIXED, {"M", "mixed"}}};
+  return names.at (weight);
+}
 } // namespace
 
 std::string
 Combination::name () const
 {
-  const char* const sources[] = {"P", "WP", "H"};
-  const char* const weights[] = {"T", "G", "M"};
-  return std::string (sources[static_cast<int> (source)]) + weights[static_cast<int> (weight)] + "U" +
-         std::to_string (k);
+  return namesOf (source).paper + namesOf (weight).paper + "U" + std::to_string (k);
 }
 
 std::string
 Combination::parameters () const
 {
-  const char* const sources[] = {"pca", "wpca", "hough"};
-  const char* const weights[] = {"threshold", "gaussian", "mixed"};
-  return std::string ("-preset paper -normals ") + sources[static_cast<int> (source)] + " -weights " +
-         weights[static_cast<int> (weight)] + " -k " + std::to_string (k) + " -normal_iterations " +
-         std::to_string (normal_iterations) + " -point_iterations " + std::to_string (point_iterations);
+  return "-preset paper -normals " + namesOf (source).tool + " -weights " + namesOf (weight).tool + " -k " +
+         std::to_string (k) + " -normal_iterations " + std::to_string (normal_iterations) + " -point_iterations " +
+         std::to_string (point_iterations);
 }
 
 core::SmoothingOptions

@@ -4,6 +4,9 @@
 #include "clouds/cloud_points.h"
 #include "sweep/combination.h"
 
+#include <functional>
+#include <vector>
+
 namespace pcl_normal_smoothing::evaluation
 {
 

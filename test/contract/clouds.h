@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../shapes.h"
+#include "../text.h"
 
 #include <gtest/gtest.h>
 #include <pcl/point_cloud.h>
@@ -123,11 +124,5 @@ resultsOfTwoThreads (const Run& run)
   results[1] = run ();
   other.join ();
   return results;
-}
-
-inline bool
-contains (const std::string& text, const std::string& part)
-{
-  return text.find (part) != std::string::npos;
 }
 } // namespace test_support

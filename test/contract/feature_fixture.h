@@ -36,6 +36,12 @@ protected:
   }
 
   void
+  replacePoints (const Vectors& points)
+  {
+    cloud_ = makeCloud<PointIn> (points, Vectors (points.size (), Eigen::Vector3f::UnitZ ()));
+  }
+
+  void
   prepare (FeatureT& feature) const
   {
     feature.setInputCloud (cloud_);

@@ -9,15 +9,7 @@ using namespace test_support;
 
 template <typename FeatureT>
 class FeatureBadInput : public FeatureTest<FeatureT>
-{
-protected:
-  void
-  replacePoints (const Vectors& points)
-  {
-    this->cloud_ =
-        makeCloud<typename FeatureBadInput::PointIn> (points, Vectors (points.size (), Eigen::Vector3f::UnitZ ()));
-  }
-};
+{};
 
 TYPED_TEST_SUITE (FeatureBadInput, AllFeatures);
 

@@ -16,13 +16,6 @@ protected:
   /** WPCA looks at the other points alone, and two of them lie on a line. */
   static constexpr int least_k =
       std::is_same_v<FeatureT, pcl_normal_smoothing::HoughNormalEstimation<pcl::PointXYZ, pcl::Normal>> ? 3 : 4;
-
-  void
-  replacePoints (const Vectors& points)
-  {
-    this->cloud_ =
-        makeCloud<typename FeatureEdges::PointIn> (points, Vectors (points.size (), Eigen::Vector3f::UnitZ ()));
-  }
 };
 
 TYPED_TEST_SUITE (FeatureEdges, OneOfEachFeature);

@@ -82,6 +82,28 @@ TEST_F (SmoothingParameters, OutOfRangeTheyAreRefused)
   run (chain);
 }
 
+TEST_F (SmoothingParameters, WhatWasEstimatedGivesTheSameResultWhenItIsSet)
+{
+  constexpr float spacing = 0.01f;
+  // At two close sheets the noise is estimated a second time, without the points of the other.
+  for (const Shape& shape : {planeGrid (60, spacing), parallelSheets (60, spacing, 1.5f * spacing)})
+    for (const SmoothingPreset preset : {SmoothingPreset::DEFAULT, SmoothingPreset::FAST}) {
+      const auto cloud = makeCloud<pcl::PointNormal> (withNormalNoise (shape, 0.2 * spacing, 1), shape.normals);
+      Smoothing first, second;
+      for (Smoothing* filter : {&first, &second}) {
+        prepare (*filter, cloud, {});
+        filter->setPreset (preset);
+      }
+      const Cloud expected = run (first);
+      const core::RobustSmoothingOptions& used = first.usedOptions ().rounds;
+      second.setNoiseSigma (used.noise.sigma);
+      second.setPointSpacing (used.noise.spacing);
+      second.setSheetDistance (used.sheet_distance);
+      second.setMaxDisplacement (used.max_displacement);
+      expectSamePoints (run (second), expected);
+    }
+}
+
 TEST_F (SmoothingParameters, ExplicitSettersHoldOverAPresetInAnyOrder)
 {
   Smoothing before, after;

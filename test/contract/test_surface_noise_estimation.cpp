@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "searches.h"
 
-#include <pcl_normal_smoothing/normal_smoothing.h>
 #include <pcl_normal_smoothing/surface_noise_estimation.h>
 
 #include <gtest/gtest.h>
@@ -16,14 +15,13 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 constexpr float spacing = 0.01f;
 constexpr double sigma = 0.2 * 0.01;
 
-/** A cloud of a shape parallel to z = 0 with noise along its normals. */
+/** A cloud of a shape with noise along its normals. */
 Cloud::Ptr
 withNoise (const test_support::Shape& plane)
 {
   auto cloud = pcl::make_shared<Cloud> ();
-  for (std::size_t i = 0; i < plane.size (); ++i)
-    cloud->emplace_back (plane.points[i].x (), plane.points[i].y (),
-                         plane.points[i].z () + static_cast<float> (sigma * test_support::gaussianNoise (1, i)));
+  for (const Eigen::Vector3f& point : test_support::withNormalNoise (plane, sigma, 1))
+    cloud->emplace_back (point.x (), point.y (), point.z ());
   return cloud;
 }
 
@@ -197,34 +195,5 @@ TEST (SurfaceNoiseEstimationTest, BadInputIsAnErrorAndGivesZero)
   EXPECT_FALSE (noise.compute ());
   EXPECT_EQ (noise.getSigma (), 0);
   EXPECT_EQ (noise.getSpacing (), 0);
-}
-
-void
-expectSameResultWithWhatWasEstimated (const Cloud::Ptr& cloud, SmoothingPreset preset)
-{
-  NormalSmoothing<pcl::PointXYZ> first, second;
-  Cloud expected, actual;
-  first.setPreset (preset);
-  first.setInputCloud (cloud);
-  first.filter (expected);
-  second.setPreset (preset);
-  second.setNoiseSigma (first.usedOptions ().rounds.noise.sigma);
-  second.setPointSpacing (first.usedOptions ().rounds.noise.spacing);
-  second.setSheetDistance (first.usedOptions ().rounds.sheet_distance);
-  second.setMaxDisplacement (first.usedOptions ().rounds.max_displacement);
-  second.setInputCloud (cloud);
-  second.filter (actual);
-  ASSERT_EQ (actual.size (), expected.size ());
-  for (std::size_t i = 0; i < actual.size (); ++i)
-    ASSERT_EQ (actual[i].getVector3fMap (), expected[i].getVector3fMap ()) << i;
-}
-
-TEST (SmoothingSettingsTest, WhatWasEstimatedGivesTheSameResultWhenItIsSet)
-{
-  // At two close sheets the noise is estimated a second time, without the points of the other.
-  const Cloud::Ptr sheets = withNoise (test_support::parallelSheets (60, spacing, 1.5f * spacing));
-  for (const Cloud::Ptr& cloud : {noisyPlane (), sheets})
-    for (const auto preset : {SmoothingPreset::DEFAULT, SmoothingPreset::FAST})
-      expectSameResultWithWhatWasEstimated (cloud, preset);
 }
 } // namespace

@@ -32,6 +32,18 @@ expectSameBits (const std::vector<Number>& actual, const std::vector<Number>& ex
         << kernels << ": number " << i << " is " << actual[i] << ", not " << expected[i];
 }
 
+/** \param[in] compute gives numbers for kernels */
+template <typename Compute>
+void
+expectAllTheSame (const Compute& compute)
+{
+  std::size_t count = 0;
+  const Kernels* const* all = allKernels (count);
+  ASSERT_GT (count, 0u);
+  for (std::size_t i = 0; i + 1 < count; ++i)
+    expectSameBits (compute (*all[i]), compute (*all[count - 1]), all[i]->name);
+}
+
 /** Clouds whose last block is full or not, that have moved or not, rows of one length or of many, some nodes without a
   * normal. */
 class KernelsTest : public testing::TestWithParam<std::tuple<int, NeighborQuery>>
@@ -98,32 +110,28 @@ protected:
     return filtered;
   }
 
-  std::vector<float>
-  moved (const Kernels& kernels, UpdateKind kind, float max_displacement, bool all_normals) const
+  /** Of the nodes, without limit or factors. */
+  PointUpdateStep
+  updateStep (UpdateKind kind) const
   {
-    std::vector<float> moved = vectors ();
     PointUpdateStep step {};
     step.nodes = nodeArrays (nodes_, normals_);
     step.start = step.nodes.offset;
     step.kind = kind;
+    step.reach_scale = 1;
     step.residual_factor = 100;
     step.normal_factor = 50;
-    step.all_normals = all_normals;
-    step.max_displacement = max_displacement;
+    step.max_displacement = infinity;
+    return step;
+  }
+
+  std::vector<float>
+  moved (const Kernels& kernels, PointUpdateStep step) const
+  {
+    std::vector<float> moved = vectors ();
     step.moved = moved.data ();
     forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) { kernels.update_points (step, rows); });
     return moved;
-  }
-
-  template <typename Compute>
-  static void
-  expectAllTheSame (const Compute& compute)
-  {
-    std::size_t count = 0;
-    const Kernels* const* all = allKernels (count);
-    ASSERT_GT (count, 0u);
-    for (std::size_t i = 0; i + 1 < count; ++i)
-      expectSameBits (compute (*all[i]), compute (*all[count - 1]), all[i]->name);
   }
 
   NeighborGraph::Ptr graph_;

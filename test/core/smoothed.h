@@ -39,6 +39,13 @@ wideningOptions (bool fast)
   return options;
 }
 
+/** How many neighbours the preset looks at. */
+inline std::uint32_t
+neighborsOf (bool fast)
+{
+  return fast ? 16 : 32;
+}
+
 /** With what the cloud tells. */
 inline pcl_normal_smoothing::core::SmoothingOptions
 prepared (pcl_normal_smoothing::core::SmoothingOptions options, const Searched& cloud)

@@ -32,8 +32,25 @@ TEST_P (KernelsTest, NormalsAreTheSameForEveryInstructionSet)
 TEST_P (KernelsTest, PositionsAreTheSameForEveryInstructionSet)
 {
   for (const UpdateKind kind : {UpdateKind::PAPER, UpdateKind::COMPENSATED, UpdateKind::ROBUST})
-    for (const float max_displacement : {infinity, 0.01f})
-      expectAllTheSame ([&] (const Kernels& kernels) { return moved (kernels, kind, max_displacement, false); });
+    for (const float max_displacement : {infinity, 0.01f}) {
+      PointUpdateStep step = updateStep (kind);
+      step.max_displacement = max_displacement;
+      expectAllTheSame ([&] (const Kernels& kernels) { return moved (kernels, step); });
+    }
+}
+
+TEST_P (KernelsTest, PositionsByFactorsOfTheNodesAreTheSameForEveryInstructionSet)
+{
+  const Numbers reach_factors = factorsOfNodes (), variance_factors (reach_factors.rbegin (), reach_factors.rend ());
+  for (const UpdateKind kind : {UpdateKind::PAPER, UpdateKind::COMPENSATED, UpdateKind::ROBUST})
+    for (const bool oriented : {false, true}) {
+      PointUpdateStep step = updateStep (kind);
+      step.reach_scale = 0.7f;
+      step.reach_factors = reach_factors.data ();
+      step.variance_factors = variance_factors.data ();
+      step.oriented = oriented;
+      expectAllTheSame ([&] (const Kernels& kernels) { return moved (kernels, step); });
+    }
 }
 
 TEST_P (KernelsTest, WhoseNodesAllHaveNormalsGivesTheSameWithoutLookingForThem)
@@ -44,9 +61,14 @@ TEST_P (KernelsTest, WhoseNodesAllHaveNormalsGivesTheSameWithoutLookingForThem)
   expectAllTheSame ([&] (const Kernels& kernels) {
     for (const NormalWeight weight : all_weights)
       expectSameBits (filtered (kernels, weight, false, true), filtered (kernels, weight, false, false), kernels.name);
-    expectSameBits (moved (kernels, UpdateKind::COMPENSATED, infinity, true),
-                    moved (kernels, UpdateKind::COMPENSATED, infinity, false), kernels.name);
-    return moved (kernels, UpdateKind::PAPER, infinity, true);
+    for (const UpdateKind kind : {UpdateKind::COMPENSATED, UpdateKind::ROBUST}) {
+      PointUpdateStep of_all = updateStep (kind);
+      of_all.all_normals = true;
+      expectSameBits (moved (kernels, of_all), moved (kernels, updateStep (kind)), kernels.name);
+    }
+    PointUpdateStep of_paper = updateStep (UpdateKind::PAPER);
+    of_paper.all_normals = true;
+    return moved (kernels, of_paper);
   });
 }
 
@@ -126,15 +148,9 @@ TEST_P (KernelsTest, FourTimesTheVarianceIsTwiceTheNoise)
     fit.variance_factors = variance_factors;
     fit.ridge = 0.003f;
     fit.fitted = normals.data ();
-    PointUpdateStep update {};
-    update.nodes = fit.nodes;
-    update.start = update.nodes.offset;
-    update.kind = UpdateKind::ROBUST;
-    update.reach_scale = 1;
-    update.normal_factor = 50;
+    PointUpdateStep update = updateStep (UpdateKind::ROBUST);
     update.residual_factor = residual_factor;
     update.variance_factors = variance_factors;
-    update.max_displacement = infinity;
     update.moved = moved.data ();
     forEachBlock (*graph_, Execution (1), [&] (const BlockRows& rows) {
       kernels ().fit_normals (fit, rows);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -95,10 +96,12 @@ TEST (ParallelFor, StopsWhereTheCallbackSaysSo)
   for (const unsigned threads : {1u, 2u, 4u}) {
     std::atomic<int> ranges {0};
     const Execution execution (threads, [] (double share) { return share < 0.1; });
-    EXPECT_THROW (parallelFor (
-                      100000, execution, [&] (std::size_t, std::size_t) { ++ranges; }, 10),
-                  Cancelled);
-    EXPECT_LE (ranges, 10000);
+    const auto body = [&] (std::size_t, std::size_t) {
+      ++ranges;
+      std::this_thread::sleep_for (std::chrono::microseconds (10)); // else all may be done before the caller's turn
+    };
+    EXPECT_THROW (parallelFor (100000, execution, body, 10), Cancelled);
+    EXPECT_LT (ranges, 10000) << "the loop went on to the end";
     EXPECT_TRUE (threads > 1 || ranges == 1000) << ranges;
   }
 }

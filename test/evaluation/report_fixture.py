@@ -9,7 +9,8 @@ import os
 
 HEADER = (
     "model,points,noise,sigma,seed,family,name,parameters,k,normal_iterations,point_iterations,status,reason,seconds,E_A,E_k7,"
-    "E_k15,E_k21,p2s_mean,p2s_rms,p2s_max,p2s_ratio,p2p_mean,p2p_ratio,normal_angle,edge_error,edge_fraction,spacing_p01,cloud"
+    "E_k15,E_k21,p2s_mean,p2s_rms,p2s_max,p2s_ratio,p2p_mean,p2p_ratio,normal_angle,edge_error,edge_fraction,spacing_p01,"
+    "own_normal_angle,exact_mean,exact_ratio,cloud"
 ).split(",")
 
 
@@ -107,6 +108,9 @@ def typical_rows(folder):
                     preset,
                     seed,
                     p2s_ratio=ratio + 0.02 * (seed - 1),
+                    own_normal_angle=20 * ratio,
+                    exact_mean=0.01 * ratio,
+                    exact_ratio=ratio + 0.1 * seed,
                     seconds=0.125,
                     cloud=cloud,
                 )

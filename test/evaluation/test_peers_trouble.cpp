@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "child_process.h"
 #include "peer_fixture.h"
-
-#include <sys/wait.h>
 
 #include <unistd.h>
 
@@ -113,19 +112,20 @@ TEST_F (PeerTrouble, WhatARunLeavesRunningIsEnded)
 TEST_F (PeerTrouble, EndsWithTheStudyThatStartedIt)
 {
   useWorker ("sleep 100 & echo $! >" + file ("child") + "; wait");
-  const pid_t study = ::fork ();
-  if (study == 0) {
+  const pid_t number = ::fork ();
+  if (number == 0) {
     runPeer (setting, points, run);
     std::_Exit (0);
   }
+  test_support::ChildProcess study (number);
   pid_t child = 0;
   for (int i = 0; i < 500 && child == 0; ++i) {
     std::this_thread::sleep_for (std::chrono::milliseconds (10));
     std::ifstream (file ("child")) >> child;
   }
   ASSERT_GT (child, 0);
-  ::kill (study, SIGKILL);
-  ::waitpid (study, nullptr, 0);
+  study.send (SIGKILL);
+  study.wait ();
   EXPECT_TRUE (hasEnded (child));
   std::filesystem::remove_all (run.work_folder); // killed, it could not tidy up
 }

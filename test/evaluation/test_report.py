@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests of the study's report, on studies with known numbers.
-usage: test_report.py <source folder of the project> [folder of the built tools]"""
+usage: test_report.py <source folder of the project> [folder of the built tools] [pcl_smoothing_study]"""
 
 import csv
 import html
@@ -13,6 +13,7 @@ import unittest
 
 SOURCE = os.path.abspath(sys.argv[1])
 TOOLS = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else "no tools"
+STUDY = os.path.abspath(sys.argv[3]) if len(sys.argv) > 3 else None
 REPORT = os.path.join(SOURCE, "evaluation", "report")
 sys.path[:0] = [REPORT, os.path.dirname(os.path.abspath(__file__))]
 try:
@@ -49,6 +50,17 @@ def make_page(folder):
         page = file.read()
     text = re.sub(r"<style>.*?</style>", "", page, flags=re.S)
     return page, html.unescape(re.sub(r"<[^>]+>", " ", text))
+
+
+class Fixture(unittest.TestCase):
+    @unittest.skipUnless(STUDY, "the study is not built")
+    def test_has_the_columns_of_the_study(self):
+        with tempfile.TemporaryDirectory() as folder:
+            missing = os.path.join(folder, "missing.ply")  # a row that failed is enough
+            words = [STUDY, folder, missing, "-models", "none", "-peers", "0", "-sweep", "0", "-noise", "GN", "-seeds", "1"]
+            subprocess.run(words, capture_output=True, check=True)
+            with open(os.path.join(folder, "rows.csv"), newline="", encoding="utf-8") as file:
+                self.assertEqual(next(csv.reader(file)), fixture.HEADER)
 
 
 class PrintedTable(unittest.TestCase):
@@ -174,6 +186,9 @@ class WholePage(unittest.TestCase):
         sweep = [float(row["p2s_ratio"]) for row in rows if row["family"] == "sweep"]
         for which, value in (("best", min(sweep)), ("mean", sum(sweep) / len(sweep)), ("worst", max(sweep))):
             self.assertRegex(self.page, f"<td>paper&#x27;s 540: {which}</td><td[^>]*>{value:.3f}</td>")
+        exact = [float(row["exact_ratio"]) for row in rows if row["name"] == "default"]
+        in_row = f"<td>ours: default</td>(?:(?!</tr>).)*<td[^>]*>{format_number(sum(exact) / 2)}</td>"
+        self.assertRegex(self.page, in_row)
         rimls = [float(row["p2s_ratio"]) for row in rows if row["name"] == "RIMLS"]
         self.assertRegex(self.page, f"<td>RIMLS: best</td><td[^>]*>{min(rimls):.3f}</td>")
 

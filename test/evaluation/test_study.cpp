@@ -16,6 +16,8 @@ namespace
 class StudyTool : public ToolTest
 {
 protected:
+  StudyTool () : ToolTest (STUDY_FOLDER) {}
+
   void
   SetUp () override
   {
@@ -82,12 +84,12 @@ TEST_F (StudyTool, GoesOnWhereItWasKilled)
   // Killed while it works, again and again, until it is done by itself.
   int kills = 0;
   for (int milliseconds = 60;; milliseconds *= 2) {
-    const int process = startTool ({TOOLS_FOLDER "/pcl_smoothing_study", path ("study"), path ("roof.off"), "-models",
-                                    "none", "-peers", "0", "-noise", "GN", "-seeds", "1"},
-                                   folder_);
+    RunningTool tool ({STUDY_FOLDER "/pcl_smoothing_study", path ("study"), path ("roof.off"), "-models", "none",
+                       "-peers", "0", "-noise", "GN", "-seeds", "1"},
+                      folder_);
     std::this_thread::sleep_for (std::chrono::milliseconds (milliseconds));
-    kill (process, kills % 2 == 0 ? SIGKILL : SIGINT);
-    const Ending ending = waitFor (process, folder_);
+    tool.send (kills % 2 == 0 ? SIGKILL : SIGINT);
+    const Ending ending = tool.wait ();
     if (ending.status == 0)
       break;
     ++kills;

@@ -1,4 +1,4 @@
-# Runs stage_checksums under different numbers and schedules of threads, and compares what it prints.
+# Runs stage_checksums under different numbers of threads, asked for and had, and compares what it prints.
 # usage: cmake -DPROGRAM=stage_checksums -P check_same_bits.cmake
 set(expected "")
 function(compare threads)
@@ -34,11 +34,9 @@ function(compare threads)
 endfunction()
 
 foreach(threads RANGE 1 8)
-  compare(${threads} OMP_NUM_THREADS=${threads})
+  compare(${threads})
 endforeach()
-foreach(schedule "static" "static,1" "dynamic,7" "guided")
-  compare(0 OMP_NUM_THREADS=3 OMP_SCHEDULE=${schedule})
-endforeach()
+compare(0) # as many as cores
 compare(4 OMP_THREAD_LIMIT=2)
 compare(4 OMP_DYNAMIC=true)
-message(STATUS "the same bits in 14 runs")
+message(STATUS "the same bits in 11 runs")

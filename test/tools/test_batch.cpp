@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clouds/cloud_graph.h"
+#include "text.h"
 #include "tool_runner.h"
 
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 
 namespace fs = std::filesystem;
 using namespace pcl_normal_smoothing;
+using test_support::contains;
 using Json = nlohmann::json;
 
 namespace
@@ -53,19 +55,13 @@ protected:
     return out.substr (out.rfind ('\n', out.size () - 2) + 1);
   }
 };
-
-bool
-holds (const std::string& text, const std::string& part)
-{
-  return text.find (part) != std::string::npos;
-}
 } // namespace
 
 TEST_F (Batch, SmoothsEveryCloudAsAlone)
 {
   const Ending result = runBatch ("-preset fast -noise_sigma 0.02 -threads 2");
   EXPECT_EQ (result.status, 0) << result.err;
-  EXPECT_TRUE (holds (result.out, "[3/3] ")) << result.out;
+  EXPECT_TRUE (contains (result.out, "[3/3] ")) << result.out;
   EXPECT_EQ (outputs (), (std::set<std::string> {"a.pcd", "a.pcd.json", "b.PCD", "b.PCD.json", "c.pcd", "c.pcd.json"}));
   succeed ("pcl_normal_smoothing in.d/a.pcd alone.pcd -preset fast -noise_sigma 0.02");
   EXPECT_EQ (contentOf (path ("out.d/b.PCD")), contentOf (path ("alone.pcd")));
@@ -107,7 +103,7 @@ TEST_F (Batch, GoesOnBehindABadFile)
   const Ending result = runBatch ("-report all.json");
   EXPECT_EQ (result.status, 2);
   for (const char* name : {"in.d/bad.ply: ", "in.d/empty.pcd: ", "in.d/link.pcd: ", "3 of its files"})
-    EXPECT_TRUE (holds (result.err, name)) << name << result.err;
+    EXPECT_TRUE (contains (result.err, name)) << name << result.err;
   EXPECT_EQ (outputs ().size (), 6u);
   const Json reports = Json::parse (contentOf (path ("all.json")));
   ASSERT_EQ (reports.size (), 6u);
@@ -121,7 +117,7 @@ TEST_F (Batch, RefusesFoldersThatCannotBe)
   const auto expect = [&] (const std::string& command, int status, const std::string& word) {
     const Ending result = run ("pcl_normal_smoothing " + command);
     EXPECT_EQ (result.status, status) << command;
-    EXPECT_TRUE (holds (result.err, word)) << command << "\n" << result.err;
+    EXPECT_TRUE (contains (result.err, word)) << command << "\n" << result.err;
   };
   expect ("-input_dir in.d -output_dir in.d/../in.d", 1, "is the input folder");
   expect ("-input_dir in.d", 1, "go together");
@@ -135,12 +131,12 @@ TEST_F (Batch, RefusesFoldersThatCannotBe)
 
 TEST_F (Batch, InterruptedLeavesNothingHalfDone)
 {
-  const int process = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing", "-input_dir", path ("in.d"), "-output_dir",
-                                  path ("out.d"), "-update", "paper", "-point_iterations", "1000000"},
-                                 folder_);
+  RunningTool tool ({TOOLS_FOLDER "/pcl_normal_smoothing", "-input_dir", path ("in.d"), "-output_dir", path ("out.d"),
+                     "-update", "paper", "-point_iterations", "1000000"},
+                    folder_);
   std::this_thread::sleep_for (std::chrono::milliseconds (700));
-  kill (process, SIGTERM);
-  EXPECT_EQ (waitFor (process, folder_).status, 128 + SIGTERM);
+  tool.send (SIGTERM);
+  EXPECT_EQ (tool.wait ().status, 128 + SIGTERM);
   std::this_thread::sleep_for (std::chrono::milliseconds (200));
   EXPECT_EQ (outputs (), std::set<std::string> ());
   EXPECT_EQ (summary (), "3 files: 3 smoothed, 0 done before, 0 failed\n");

@@ -128,7 +128,7 @@ TEST_F (FileTrouble, FullDiskLeavesTheOldFile)
   const std::set<std::string> before = files ();
   const std::string command = "ulimit -f 8; exec " TOOLS_FOLDER "/pcl_normal_smoothing " + path ("wave.pcd") + " " +
                               path ("out.pcd") + " -format ascii";
-  const Ending result = waitFor (startTool ({"/bin/sh", "-c", command}, folder_), folder_);
+  const Ending result = RunningTool ({"/bin/sh", "-c", command}, folder_).wait ();
   EXPECT_EQ (result.status, 2) << result.err;
   EXPECT_NE (result.err.find (path ("out.pcd") + ": "), std::string::npos) << result.err;
   EXPECT_EQ (contentOf (path ("out.pcd")), "precious");

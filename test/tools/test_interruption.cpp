@@ -21,12 +21,12 @@ protected:
   Ending
   interrupt (int signal)
   {
-    const int process = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing", path ("wave.pcd"), path ("out.pcd"),
-                                    "-update", "paper", "-point_iterations", "1000000"},
-                                   folder_);
+    RunningTool tool ({TOOLS_FOLDER "/pcl_normal_smoothing", path ("wave.pcd"), path ("out.pcd"), "-update", "paper",
+                       "-point_iterations", "1000000"},
+                      folder_);
     std::this_thread::sleep_for (std::chrono::milliseconds (700));
-    kill (process, signal);
-    return waitFor (process, folder_);
+    tool.send (signal);
+    return tool.wait ();
   }
 };
 
@@ -71,14 +71,14 @@ TEST_F (Interruption, RemovesWhatIsHalfWritten)
 {
   writeText (path ("out.pcd"), "precious");
   for (const int signal : {SIGINT, SIGTERM}) {
-    const int process = fork ();
-    if (process == 0) {
+    const pid_t number = fork ();
+    if (number == 0) {
       std::string name = "writer", output = path ("out.pcd");
       char* words[] = {name.data (), output.data (), nullptr};
       WritingTool tool (signal);
       _exit (tools::runTool (2, words, tool));
     }
-    EXPECT_EQ (waitFor (process, folder_).status, 128 + signal);
+    EXPECT_EQ (test_support::ChildProcess (number).wait (), 128 + signal);
     EXPECT_EQ (contentOf (path ("out.pcd")), "precious");
     EXPECT_EQ (files (), (std::set<std::string> {"out.pcd"}));
   }

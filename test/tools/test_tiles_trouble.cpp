@@ -55,11 +55,11 @@ protected:
   Ending
   runOnFullDisk (const std::string& command, int blocks) const
   {
-    return waitFor (startTool ({"/bin/sh", "-c",
-                                "cd " + folder_ + "; ulimit -f " + std::to_string (blocks) +
-                                    "; exec " TOOLS_FOLDER "/pcl_normal_smoothing_tiles " + command},
-                               folder_),
-                    folder_);
+    return RunningTool ({"/bin/sh", "-c",
+                         "cd " + folder_ + "; ulimit -f " + std::to_string (blocks) +
+                             "; exec " TOOLS_FOLDER "/pcl_normal_smoothing_tiles " + command},
+                        folder_)
+        .wait ();
   }
 };
 } // namespace
@@ -266,12 +266,12 @@ TEST_F (TilesTrouble, ManyRunsOfOneTileAtOnce)
   plan ("-max_points 2000 -preset fast");
   for (int round = 0; round < 3; ++round) {
     fs::remove (path ("tiles.d/tile_000000.result"));
-    std::vector<int> processes;
+    std::vector<RunningTool> runs;
     for (int i = 0; i < 6; ++i)
-      processes.push_back (
-          startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_tiles", "run", path ("tiles.d"), "-tile", "0"}, folder_));
-    for (const int process : processes)
-      EXPECT_EQ (waitFor (process, folder_).status, 0);
+      runs.push_back (
+          RunningTool ({TOOLS_FOLDER "/pcl_normal_smoothing_tiles", "run", path ("tiles.d"), "-tile", "0"}, folder_));
+    for (RunningTool& started : runs)
+      EXPECT_EQ (started.wait ().status, 0);
     EXPECT_EQ (filesIn ("tiles.d"),
                (std::set<std::string> {"cells.bin", "plan.json", "tile_000000.points", "tile_000000.result"}));
     expectMerged ();

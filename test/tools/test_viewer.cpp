@@ -27,14 +27,13 @@ struct Picture
     vtkNew<vtkPNGReader> reader;
     reader->SetFileName (path.c_str ());
     reader->Update ();
-    const vtkImageData* image = reader->GetOutput ();
-    width = const_cast<vtkImageData*> (image)->GetDimensions ()[0];
-    height = const_cast<vtkImageData*> (image)->GetDimensions ()[1];
+    vtkImageData* image = reader->GetOutput ();
+    width = image->GetDimensions ()[0];
+    height = image->GetDimensions ()[1];
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
         for (int c = 0; c < 3; ++c)
-          bytes.push_back (
-              static_cast<int> (const_cast<vtkImageData*> (image)->GetScalarComponentAsDouble (x, y, 0, c)));
+          bytes.push_back (static_cast<int> (image->GetScalarComponentAsDouble (x, y, 0, c)));
   }
 
   /** How rough the middle of one half is: the mean difference of pixels side by side that show the surface. */
@@ -186,13 +185,13 @@ TEST_F (Viewer, SaysWhatItCannotDo)
 TEST_F (Viewer, KilledItLeavesNoDisplayBehind)
 {
   for (const int signal : {SIGTERM, SIGKILL}) {
-    const int tool = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_viewer", path ("noisy.ply"), "-screenshot",
-                                 path ("picture.png")},
-                                folder_);
-    const int server = serverOf (tool);
+    RunningTool tool ({TOOLS_FOLDER "/pcl_normal_smoothing_viewer", path ("noisy.ply"), "-screenshot",
+                       path ("picture.png")},
+                      folder_);
+    const int server = serverOf (tool.number ());
     ASSERT_NE (server, 0);
-    kill (tool, signal);
-    EXPECT_EQ (waitFor (tool, folder_).status, 128 + signal);
+    tool.send (signal);
+    EXPECT_EQ (tool.wait ().status, 128 + signal);
     for (int i = 0; i < 1000 && !commandOf (server).empty (); ++i)
       std::this_thread::sleep_for (std::chrono::milliseconds (10));
     EXPECT_EQ (commandOf (server), "") << "after signal " << signal;
@@ -204,9 +203,9 @@ TEST_F (Viewer, KeysChangeTheParameters)
   const pcl_normal_smoothing::tools::Display server (true);
   Display* display = XOpenDisplay (nullptr);
   ASSERT_NE (display, nullptr);
-  const int tool = startTool ({TOOLS_FOLDER "/pcl_normal_smoothing_viewer", path ("noisy.ply"), "-save",
-                               path ("out.ply"), "-width", "600", "-height", "400"},
-                              folder_);
+  RunningTool tool ({TOOLS_FOLDER "/pcl_normal_smoothing_viewer", path ("noisy.ply"), "-save", path ("out.ply"),
+                     "-width", "600", "-height", "400"},
+                    folder_);
   Window window = 0;
   for (int i = 0; i < 300 && window == 0; ++i) {
     std::this_thread::sleep_for (std::chrono::milliseconds (100));
@@ -216,7 +215,7 @@ TEST_F (Viewer, KeysChangeTheParameters)
   std::this_thread::sleep_for (std::chrono::seconds (2));
   for (const KeySym key : {XK_K, XK_p, XK_h, XK_c, XK_2, XK_Right, XK_p, XK_w, XK_q})
     sendKey (display, window, key, key == XK_K ? ShiftMask : 0);
-  const Ending ending = waitFor (tool, folder_);
+  const Ending ending = tool.wait ();
   XCloseDisplay (display);
   EXPECT_EQ (ending.status, 0) << ending.err;
   const std::string second = ending.out.substr (ending.out.find ('\n') + 1);

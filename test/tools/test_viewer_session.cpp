@@ -3,6 +3,8 @@
 #include "viewer/colour_scale.h"
 #include "viewer/session.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -108,8 +110,8 @@ TEST_F (ViewerSessionTest, DistancesAreThoseToTheMesh)
   session.smooth ({});
   EXPECT_EQ (session.triangles ().size (), tools::loadMesh (path ("mesh.ply")).triangles.size ());
   const auto before = session.values (session.noisy (), tools::Colouring::DISTANCE);
-  const std::string json = succeed ("pcl_smoothing_error mesh.ply noisy.ply -json 1").out;
-  const double expected = std::stod (json.substr (json.find (':', json.find ("\"p2s_mean\"")) + 1));
+  const double expected =
+      nlohmann::json::parse (succeed ("pcl_smoothing_error mesh.ply noisy.ply -json 1").out).at ("p2s_mean");
   EXPECT_NEAR (tools::meanOfFinite (before), expected, 1e-3 * expected);
   EXPECT_LT (tools::meanOfFinite (session.values (session.smoothed (), tools::Colouring::DISTANCE)), 0.5 * expected);
 }

@@ -10,8 +10,8 @@
 
 #include <fcntl.h>
 #include <spawn.h>
-#include <sys/wait.h>
 
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -20,6 +20,8 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 namespace fs = std::filesystem;
 using namespace pcl_normal_smoothing;
@@ -27,8 +29,10 @@ using Field = pcl::PCLPointField;
 
 extern char** environ;
 
-int
-startTool (const std::vector<std::string>& words, const std::string& folder)
+namespace
+{
+test_support::ChildProcess
+spawned (const std::vector<std::string>& words, const std::string& folder)
 {
   std::vector<char*> arguments;
   for (const std::string& word : words)
@@ -39,29 +43,35 @@ startTool (const std::vector<std::string>& words, const std::string& folder)
   constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
   posix_spawn_file_actions_addopen (&actions, 1, (folder + "/stdout").c_str (), flags, 0600);
   posix_spawn_file_actions_addopen (&actions, 2, (folder + "/stderr").c_str (), flags, 0600);
-  pid_t process = -1;
-  EXPECT_EQ (posix_spawn (&process, words[0].c_str (), &actions, nullptr, arguments.data (), environ), 0) << words[0];
+  pid_t process = 0;
+  const int error = posix_spawn (&process, words[0].c_str (), &actions, nullptr, arguments.data (), environ);
   posix_spawn_file_actions_destroy (&actions);
-  return process;
+  if (error != 0)
+    throw std::runtime_error (words[0] + " cannot be started (" + std::strerror (error) + ")");
+  return test_support::ChildProcess (process);
 }
+} // namespace
+
+RunningTool::RunningTool (const std::vector<std::string>& words, std::string folder)
+: process_ (spawned (words, folder)), folder_ (std::move (folder))
+{}
 
 Ending
-waitFor (int process, const std::string& folder)
+RunningTool::wait ()
 {
-  int status = 0;
-  waitpid (process, &status, 0);
   Ending run;
-  run.status = WIFEXITED (status) ? WEXITSTATUS (status) : 128 + WTERMSIG (status);
-  run.out = contentOf (folder + "/stdout");
-  run.err = contentOf (folder + "/stderr");
+  run.status = process_.wait ();
+  run.out = contentOf (folder_ + "/stdout");
+  run.err = contentOf (folder_ + "/stderr");
   return run;
 }
 
-ToolTest::ToolTest ()
+ToolTest::ToolTest (std::string tools) : tools_ (std::move (tools))
 {
   std::signal (SIGINT, SIG_DFL); // what is started in the background ignores it, and so would the tools
-  std::string name = (fs::temp_directory_path () / "test_tools.XXXXXX").string ();
-  folder_ = mkdtemp (name.data ());
+  folder_ = (fs::temp_directory_path () / "test_tools.XXXXXX").string ();
+  if (!mkdtemp (folder_.data ()))
+    throw std::runtime_error (folder_ + " cannot be made (" + std::strerror (errno) + ")");
 }
 
 ToolTest::~ToolTest ()
@@ -77,9 +87,9 @@ ToolTest::run (const std::string& command) const
   for (std::string word; stream >> word;) {
     const bool file =
         !words.empty () && word[0] != '-' && word.find ('.') != std::string::npos && std::isalpha (word[0]);
-    words.push_back (words.empty () ? TOOLS_FOLDER "/" + word : file ? path (word) : word);
+    words.push_back (words.empty () ? tools_ + "/" + word : file ? path (word) : word);
   }
-  return waitFor (startTool (words, folder_), folder_);
+  return RunningTool (words, folder_).wait ();
 }
 
 Ending

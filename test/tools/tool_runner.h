@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "child_process.h"
 #include "files/cloud_io.h"
 
 #include <gtest/gtest.h>
@@ -16,18 +17,40 @@ struct Ending
   std::string out, err;
 };
 
-/** Begins a tool. \return its process; finish with waitFor */
-int
-startTool (const std::vector<std::string>& words, const std::string& folder);
+/** A tool that was started, its streams in files of a folder; killed where nobody waits for it. */
+class RunningTool
+{
+public:
+  /** \param[in] words its path and its arguments \throw std::runtime_error where it cannot be started */
+  RunningTool (const std::vector<std::string>& words, std::string folder);
 
-Ending
-waitFor (int process, const std::string& folder);
+  pid_t
+  number () const
+  {
+    return process_.number ();
+  }
+
+  void
+  send (int signal) const
+  {
+    process_.send (signal);
+  }
+
+  /** Once. */
+  Ending
+  wait ();
+
+private:
+  test_support::ChildProcess process_;
+  std::string folder_;
+};
 
 /** A folder of its own for every test, removed behind it, and clouds to put into it. */
 class ToolTest : public testing::Test
 {
 protected:
-  ToolTest ();
+  /** \param[in] tools the folder that they are in */
+  explicit ToolTest (std::string tools = TOOLS_FOLDER);
   ~ToolTest () override;
 
   std::string
@@ -50,6 +73,9 @@ protected:
   files () const;
 
   std::string folder_;
+
+private:
+  std::string tools_;
 };
 
 std::string

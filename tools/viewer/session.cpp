@@ -107,20 +107,45 @@ ViewerSession::smooth (const std::map<std::string, std::string>& options)
 std::vector<float>
 ViewerSession::values (const Surface& surface, Colouring colouring) const
 {
-  const core::Execution execution;
-  std::vector<float> numbers (surface.nodes.size ());
-  if (colouring == Colouring::CURVATURE) {
-    const auto surfaces = core::estimateSurfaces (*display_graph_, surface.nodes, core::pcaSurface, execution);
-    std::transform (surfaces.begin (), surfaces.end (), numbers.begin (), [] (const auto& s) { return s.variation; });
-    return numbers;
+  switch (colouring) {
+  case Colouring::DISPLACEMENT:
+    return displacements ();
+  case Colouring::CURVATURE:
+    return curvatures (surface);
+  case Colouring::DISTANCE:
+    return distances (surface);
   }
+  return {};
+}
+
+std::vector<float>
+ViewerSession::displacements () const
+{
   const core::Positions &from = noisy_.nodes, &to = smoothed_.nodes;
-  core::parallelFor (numbers.size (), execution, [&] (std::size_t begin, std::size_t end) {
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i < from.size (); ++i)
+    numbers.push_back (
+        static_cast<float> (from.unit * ((to.base[i] - from.base[i]) + (to.offset[i] - from.offset[i])).norm ()));
+  return numbers;
+}
+
+std::vector<float>
+ViewerSession::curvatures (const Surface& surface) const
+{
+  std::vector<float> numbers;
+  for (const auto& local :
+       core::estimateSurfaces (*display_graph_, surface.nodes, core::pcaSurface, core::Execution ()))
+    numbers.push_back (local.variation);
+  return numbers;
+}
+
+std::vector<float>
+ViewerSession::distances (const Surface& surface) const
+{
+  std::vector<float> numbers (surface.nodes.size ());
+  core::parallelFor (numbers.size (), core::Execution (), [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      numbers[i] = colouring == Colouring::DISTANCE
-                       ? static_cast<float> (mesh_distance_->of (surface.position (i)))
-                       : static_cast<float> (from.unit *
-                                             ((to.base[i] - from.base[i]) + (to.offset[i] - from.offset[i])).norm ());
+      numbers[i] = static_cast<float> (mesh_distance_->of (surface.position (i)));
   });
   return numbers;
 }

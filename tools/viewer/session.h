@@ -107,11 +107,21 @@ public:
     return triangles_;
   }
 
-  /** A number for every node of a surface of this session, in the cloud's unit where it is a length. */
+  /** A number for every node of a surface of this session, in the cloud's unit where it is a length. Displacements are
+    * the same for both. */
   std::vector<float>
   values (const Surface& surface, Colouring colouring) const;
 
 private:
+  std::vector<float>
+  displacements () const;
+
+  std::vector<float>
+  curvatures (const Surface& surface) const;
+
+  std::vector<float>
+  distances (const Surface& surface) const;
+
   void
   useMesh (const std::string& path);
 

@@ -10,9 +10,10 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-vtkStandardNewMacro (ViewerStyle)
+vtkStandardNewMacro (ViewerStyle);
 
-    void ViewerStyle::OnKeyDown ()
+void
+ViewerStyle::OnKeyDown ()
 {
   // PCL's interactor names the key, whatever Shift makes of it.
   const int code = static_cast<unsigned char> (Interactor->GetKeyCode ());

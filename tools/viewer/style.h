@@ -17,10 +17,8 @@ public:
   static ViewerStyle*
   New ();
 
-  vtkTypeMacro (ViewerStyle, pcl::visualization::PCLVisualizerInteractorStyle)
-
-      /** Called with what a key stands for, "K" or "+", or with its name in X, "Up". */
-      std::function<void (const std::string&)> pressed;
+  /** Called with what a key stands for, "K" or "+", or with its name in X, "Up". */
+  std::function<void (const std::string&)> pressed;
 
 protected:
   void
@@ -33,6 +31,9 @@ protected:
   void
   OnChar () override
   {}
+
+public: // at the end: a semicolon behind it is a warning, and without one clang-format takes what follows for its rest
+  vtkTypeMacro (ViewerStyle, pcl::visualization::PCLVisualizerInteractorStyle)
 };
 } // namespace tools
 } // namespace pcl_normal_smoothing

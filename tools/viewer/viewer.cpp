@@ -129,7 +129,8 @@ void
 Viewer::show ()
 {
   const auto noisy = session_.values (session_.noisy (), colouring_);
-  const auto smoothed = session_.values (session_.smoothed (), colouring_);
+  const auto smoothed =
+      colouring_ == Colouring::DISPLACEMENT ? noisy : session_.values (session_.smoothed (), colouring_);
   const double limit = scaleLimit (noisy);
   std::string before = "noisy: " + std::filesystem::path (session_.smoothedCloud ().path).filename ().string () + ", " +
                        std::to_string (session_.noisy ().nodes.size ()) + " points\n";

@@ -52,11 +52,8 @@ TEST (Hough, DoesNotDependOnTheOrderOfThePoints)
 {
   const Vectors cloud = withNoise (cube (12, 1).points, 0.01, 41);
   const auto order = permutation (cloud.size (), 42);
-  Vectors shuffled;
-  for (const std::uint32_t i : order)
-    shuffled.push_back (cloud[i]);
   const Vectors normals = normalsByPoint (cloud, 20, NormalSource::HOUGH);
-  const Vectors of_shuffled = normalsByPoint (shuffled, 20, NormalSource::HOUGH);
+  const Vectors of_shuffled = normalsByPoint (shuffled (cloud, 42), 20, NormalSource::HOUGH);
   for (std::size_t i = 0; i < order.size (); ++i)
     EXPECT_EQ (of_shuffled[i], normals[order[i]]) << "point " << order[i];
 }

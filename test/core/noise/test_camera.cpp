@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "noise/layer_clouds.h"
-#include "smoothed.h"
+#include "preset_test.h"
 
 #include <gtest/gtest.h>
 
@@ -61,15 +61,14 @@ TEST (CameraTest, LayersAreNotOfACameraFromWherePixelsAreNotAlike)
   EXPECT_FALSE (layers.are_of_camera);
 }
 
-class CameraPresets : public testing::TestWithParam<bool>
+class CameraPresets : public PresetTest
 {};
 
 TEST_P (CameraPresets, PointsOfACameraStayInTheirPixels)
 {
   constexpr float pixel = 1 / 525.f;
   const Vectors points = tableBeforeACamera (50);
-  const std::uint32_t k = GetParam () ? 16 : 32;
-  const Vectors& moved = smoothed (asPositions (points), k, wideningOptions (GetParam ())).displacements;
+  const Vectors& moved = smoothed (asPositions (points), k (), wideningOptions (isFast ())).displacements;
   double along = 0, aside = 0;
   for (std::size_t i = 0; i < points.size (); ++i) {
     along += std::abs (moved[i].dot (points[i].normalized ()));
@@ -79,7 +78,5 @@ TEST_P (CameraPresets, PointsOfACameraStayInTheirPixels)
   EXPECT_LT (aside, 0.05 * along);
 }
 
-INSTANTIATE_TEST_SUITE_P (Presets, CameraPresets, testing::Bool (), [] (const auto& preset) {
-  return preset.param ? "Fast" : "Default";
-});
+INSTANTIATE_TEST_SUITE_P (Presets, CameraPresets, testing::Bool (), nameOfPreset);
 } // namespace

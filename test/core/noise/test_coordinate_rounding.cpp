@@ -77,7 +77,7 @@ TEST (CoordinateRoundingTest, CentresOfVoxelsBecomeASurface)
   for (const float voxel : {0.04f, 0.02f, 0.011f})
     for (const bool fast : {false, true}) {
       const Vectors points = rounded (sphere (200000, 1).points, voxel);
-      const Smoothed result = smoothed (asPositions (points), fast ? 16 : 32, wideningOptions (fast));
+      const Smoothed result = smoothed (asPositions (points), neighborsOf (fast), wideningOptions (fast));
       EXPECT_LT (errorOf (sum (points, result.displacements)), 0.5 * errorOf (points)) << voxel << ", fast " << fast;
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "noise/layer_clouds.h"
-#include "smoothed.h"
+#include "preset_test.h"
 
 #include <core/noise/neighborhood_widening.h>
 
@@ -256,7 +256,7 @@ TEST (LayersTest, FewNeighboursAreEnough)
   EXPECT_LT (options.rounds.noise.field.largestFactor (), 1.5f);
 }
 
-class LayersPresets : public testing::TestWithParam<bool>
+class LayersPresets : public PresetTest
 {};
 
 TEST_P (LayersPresets, WideStepsAreSmoothed)
@@ -264,20 +264,17 @@ TEST_P (LayersPresets, WideStepsAreSmoothed)
   for (const double step : {0.02, 0.04})
     for (const Surface& surface : {Surface (tilted), Surface (hill)}) {
       const Vectors points = inSteps (surface, step);
-      const std::uint32_t k = GetParam () ? 16 : 32;
-      SmoothingOptions options = wideningOptions (GetParam ());
+      SmoothingOptions options = wideningOptions (isFast ());
       const double before = meanError (points, surface);
-      const Vectors widened = sum (points, smoothed (asPositions (points), k, options).displacements);
+      const Vectors widened = sum (points, smoothed (asPositions (points), k (), options).displacements);
       EXPECT_LT (meanError (widened, surface), 0.6 * before) << step;
       options.widen_neighborhoods = false;
-      const Vectors stuck = sum (points, smoothed (asPositions (points), k, options).displacements);
+      const Vectors stuck = sum (points, smoothed (asPositions (points), k (), options).displacements);
       EXPECT_GT (meanError (stuck, surface), 0.9 * before) << step << ": the test is of no use";
     }
 }
 
-INSTANTIATE_TEST_SUITE_P (Presets, LayersPresets, testing::Bool (), [] (const auto& preset) {
-  return preset.param ? "Fast" : "Default";
-});
+INSTANTIATE_TEST_SUITE_P (Presets, LayersPresets, testing::Bool (), nameOfPreset);
 
 TEST (LayersTest, HideTheNoise)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "noise/scanned_room.h"
-#include "searched.h"
-#include "smoothed.h"
+#include "preset_test.h"
 
 #include <core/noise/neighborhood_widening.h>
 
@@ -118,12 +117,9 @@ TEST (LinesTest, NeighbourhoodsGrowWithTheGap)
 TEST (LinesTest, ThreadsAndOrderDoNotMatter)
 {
   const Vectors points = lidar (0.02);
-  Vectors shuffled;
-  for (const std::uint32_t i : permutation (points.size (), 4))
-    shuffled.push_back (points[i]);
   const std::vector<float> expected = linesOf (points, 1).values ();
   EXPECT_EQ (linesOf (points, 2).values (), expected);
-  EXPECT_EQ (linesOf (shuffled).values (), expected);
+  EXPECT_EQ (linesOf (shuffled (points, 4)).values (), expected);
   EXPECT_GT (expected.size (), 4u);
 }
 
@@ -209,37 +205,34 @@ TEST (LinesTest, BehindTheGapsMayBeOtherSheets)
   }
 }
 
-class LinesPresets : public testing::TestWithParam<bool>
+class LinesPresets : public PresetTest
 {};
 
 TEST_P (LinesPresets, LinesAreSmoothedAcross)
 {
-  const std::uint32_t k = GetParam () ? 16 : 32;
   for (const double noise : {0.01, 0.02, 0.08}) {
     const Vectors points = lidar (noise);
-    SmoothingOptions options = wideningOptions (GetParam ());
+    SmoothingOptions options = wideningOptions (isFast ());
     const double before = ScannedRoom::error (points);
-    const Vectors widened = sum (points, smoothed (asPositions (points), k, options).displacements);
+    const Vectors widened = sum (points, smoothed (asPositions (points), k (), options).displacements);
     EXPECT_LT (ScannedRoom::error (widened), 0.6 * before) << noise;
     options.widen_neighborhoods = false;
-    const Vectors stuck = sum (points, smoothed (asPositions (points), k, options).displacements);
+    const Vectors stuck = sum (points, smoothed (asPositions (points), k (), options).displacements);
     EXPECT_GT (ScannedRoom::error (stuck), 0.9 * before) << noise << ": the test is of no use";
   }
 }
 
 TEST_P (LinesPresets, ProfilesOfABallAreSmoothed)
 {
-  const std::uint32_t k = GetParam () ? 16 : 32;
   for (const double noise : {0.0, 0.02, 0.1}) {
     const Vectors points = profiles (ballHeight, noise);
-    const Vectors moved = sum (points, smoothed (asPositions (points), k, wideningOptions (GetParam ())).displacements);
+    const Vectors moved =
+        sum (points, smoothed (asPositions (points), k (), wideningOptions (isFast ())).displacements);
     EXPECT_LE (meanDistanceToBall (moved), std::max (0.4 * meanDistanceToBall (points), 1e-4)) << noise;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P (Presets, LinesPresets, testing::Bool (), [] (const auto& preset) {
-  return preset.param ? "Fast" : "Default";
-});
+INSTANTIATE_TEST_SUITE_P (Presets, LinesPresets, testing::Bool (), nameOfPreset);
 
 TEST (LinesTest, HideTheNoise)
 {

@@ -22,17 +22,6 @@ estimateOf (const Vectors& points)
   return estimateNoise (*graph, gather (asPositions (points), graph->order ()), Execution (2));
 }
 
-/** \param[in] sigma (place), of the noise along the normal */
-template <typename Sigma>
-Vectors
-noisy (const Shape& shape, const Sigma& sigma, std::uint64_t seed = 3)
-{
-  Vectors points = shape.points;
-  for (std::size_t i = 0; i < points.size (); ++i)
-    points[i] += static_cast<float> (sigma (points[i]) * gaussianNoise (seed, i)) * shape.normals[i];
-  return points;
-}
-
 double
 growing (const Eigen::Vector3f& place)
 {
@@ -42,7 +31,7 @@ growing (const Eigen::Vector3f& place)
 TEST (NoiseFieldTest, TellsWhereTheNoiseIsLarge)
 {
   for (const std::uint64_t seed : {3, 4, 5}) {
-    const NoiseEstimate noise = estimateOf (noisy (sphere (sphere_size, 1), growing, seed));
+    const NoiseEstimate noise = estimateOf (withNormalNoise (sphere (sphere_size, 1), growing, seed));
     ASSERT_FALSE (noise.field.isEven ());
     for (const float x : {-0.8f, -0.4f, 0.0f, 0.4f, 0.8f})
       for (const Eigen::Vector3f& place :
@@ -63,9 +52,7 @@ TEST (NoiseFieldTest, EvenNoiseHasHardlyAny)
     for (const std::uint64_t seed : {3, 4, 5})
       for (const auto& [shape, spacing] : shapes) {
         const double sigma = ratio * spacing;
-        const NoiseField field = estimateOf (noisy (
-                                                 shape, [&] (const auto&) { return sigma; }, seed))
-                                     .field;
+        const NoiseField field = estimateOf (withNormalNoise (shape, sigma, seed)).field;
         EXPECT_LT (field.largestFactor () / field.smallestFactor (), 1.15f)
             << ratio << " of the shape of " << shape.size () << " points";
       }
@@ -74,10 +61,9 @@ TEST (NoiseFieldTest, EvenNoiseHasHardlyAny)
 TEST (NoiseFieldTest, DetailInsideOfRegionsIsNoNoiseThatVaries)
 {
   for (const double pitch : {10, 14, 20})
-    for (const double sigma : {0.01, 0.02, 0.05}) {
-      const auto even = [&] (const Eigen::Vector3f&) { return sigma; };
-      EXPECT_TRUE (estimateOf (noisy (groovedPlate (pitch), even)).field.isEven ()) << pitch << ' ' << sigma;
-    }
+    for (const double sigma : {0.01, 0.02, 0.05})
+      EXPECT_TRUE (estimateOf (withNormalNoise (groovedPlate (pitch), sigma, 3)).field.isEven ())
+          << pitch << ' ' << sigma;
 }
 
 TEST (NoiseFieldTest, OneNoiseIsNoDetail)
@@ -102,15 +88,13 @@ TEST (NoiseFieldTest, OneNoiseIsNoDetail)
 
 TEST (NoiseFieldTest, OrderDoesNotMatter)
 {
-  Vectors points = noisy (planeGrid (80, 0.01f), [] (const Eigen::Vector3f& p) { return 0.001 + 0.005 * p.x (); });
+  const auto growing_along_x = [] (const Eigen::Vector3f& p) { return 0.001 + 0.005 * p.x (); };
+  Vectors points = withNormalNoise (planeGrid (80, 0.01f), growing_along_x, 3);
   for (std::size_t i = 0; i < points.size (); i += 7)
     points.push_back (points[i]); // copies, which no order tells apart
   const NoiseField expected = estimateOf (points).field;
   ASSERT_FALSE (expected.isEven ());
-  Vectors shuffled;
-  for (const std::uint32_t i : permutation (points.size (), 4))
-    shuffled.push_back (points[i]);
-  const NoiseField field = estimateOf (shuffled).field;
+  const NoiseField field = estimateOf (shuffled (points, 4)).field;
   ASSERT_EQ (field.factors.regions.size (), expected.factors.regions.size ());
   for (std::size_t i = 0; i < field.factors.regions.size (); ++i) {
     EXPECT_EQ (field.factors.regions[i].centre, expected.factors.regions[i].centre);
@@ -139,8 +123,8 @@ TEST (NoiseFieldTest, LiesBetweenItsRegionsAndIsOneFarAway)
 TEST (NoiseFieldTest, WherePartOfACloudIsCleanFactorsStayWithinBounds)
 {
   for (const float border : {0.2f, 0.6f}) {
-    const Vectors points =
-        noisy (planeGrid (80, 0.01f), [&] (const Eigen::Vector3f& p) { return p.x () < border ? 0 : 0.002; });
+    const auto behind_border = [&] (const Eigen::Vector3f& p) { return p.x () < border ? 0 : 0.002; };
+    const Vectors points = withNormalNoise (planeGrid (80, 0.01f), behind_border, 3);
     const NoiseField field = estimateOf (points).field;
     for (const auto& point : points) {
       EXPECT_GE (field.factorAt (point), 0.031f);

@@ -168,29 +168,44 @@ TEST (WideNoiseTest, ThinWallsInAPartAreNone)
   }
 }
 
-TEST (WideNoiseTest, OfAPartBesideWhatIsClean)
+/** Two walls, of which the near one, most of the cloud, has only a share of its noise. */
+Vectors
+wallsWithQuietNearOne (float share)
 {
   const Vectors walls = twoWalls (1, 5);
   Vectors points = withNoiseOfDepth (walls, 0.002);
   for (std::size_t i = 0; i < points.size (); ++i)
     if (walls[i].z () == 1)
-      points[i] = walls[i];
-  const WideNoise wide =
-      wideNoiseOf (points); // most of the cloud has none: its usual noise is 0, and nothing has to be seen
-  EXPECT_TRUE (wide.sigma > 0 || wide.halvings.regions.empty ());
-  for (const RegionalField::Region& region : wide.field.factors.regions)
-    EXPECT_TRUE (std::isfinite (region.value));
+      points[i] = walls[i] + share * (points[i] - walls[i]);
+  return points;
+}
+
+TEST (WideNoiseTest, OfAPartBesideWhatHasLittle)
+{
+  for (const float share : {0.1f, 0.01f}) {
+    const WideNoise wide = wideNoiseOf (wallsWithQuietNearOne (share));
+    EXPECT_GT (wide.sigma, 0) << share;
+    EXPECT_LT (wide.halvings.valueAt ({-.25f, 0, 1}, -1), .5f) << share;
+    EXPECT_GT (wide.halvings.valueAt ({2, 0, 5}, -1), 1) << share;
+    for (const RegionalField::Region& region : wide.field.factors.regions)
+      EXPECT_TRUE (std::isfinite (region.value) && region.value > 0) << share;
+  }
+}
+
+TEST (WideNoiseTest, OfAPartNoneIsSeenBesideWhatIsClean)
+{
+  const WideNoise wide = wideNoiseOf (wallsWithQuietNearOne (0)); // whose usual noise is 0, to which none has a ratio
+  EXPECT_EQ (wide.sigma, 0);
+  EXPECT_TRUE (wide.halvings.regions.empty ());
+  EXPECT_TRUE (wide.field.isEven ());
 }
 
 TEST (WideNoiseTest, ThreadsAndOrderDoNotMatter)
 {
   for (const Vectors& points : {square (1), withNoiseOfDepth (twoWalls (1, 5), 0.002)}) {
-    Vectors shuffled;
-    for (const std::uint32_t i : permutation (points.size (), 4))
-      shuffled.push_back (points[i]);
     const WideNoise expected = wideNoiseOf (points, 1);
     EXPECT_FALSE (expected.halvings.regions.empty ());
-    for (const WideNoise& other : {wideNoiseOf (points, 2), wideNoiseOf (shuffled, 2)}) {
+    for (const WideNoise& other : {wideNoiseOf (points), wideNoiseOf (shuffled (points, 4))}) {
       EXPECT_EQ (other.halvings.values (), expected.halvings.values ());
       EXPECT_EQ (other.field.factors.values (), expected.field.factors.values ());
       EXPECT_EQ (other.sigma, expected.sigma);
@@ -247,14 +262,9 @@ TEST (WideNoiseTest, OfAPartItIsSoThereAlone)
 
 TEST (WideNoiseTest, SoItDoesOfEvenPointsWhereItIsReadInPart)
 {
-  const auto noisySphere = [] (double noise) { // along the normals
-    Vectors points = sphere (8000, 1).points;
-    for (std::size_t i = 0; i < points.size (); ++i)
-      points[i] *= static_cast<float> (1 + noise * 0.04 * gaussianNoise (1, i));
-    return points;
-  };
-  EXPECT_NEAR (takenOverRead (noisySphere (0.3)), 1, 0.01);
-  EXPECT_NEAR (takenOverRead (noisySphere (0.8)), 1.6, 0.01);
+  const Shape ball = sphere (8000, 1);
+  EXPECT_NEAR (takenOverRead (withNormalNoise (ball, 0.3 * 0.04, 1)), 1, 0.01);
+  EXPECT_NEAR (takenOverRead (withNormalNoise (ball, 0.8 * 0.04, 1)), 1.6, 0.01);
 }
 
 TEST (WideNoiseTest, HidesItself)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "noise/wide_clouds.h"
-#include "smoothed.h"
+#include "preset_test.h"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,13 @@ using namespace pcl_normal_smoothing;
 using namespace pcl_normal_smoothing::core;
 using namespace test_support;
 
-class WideNoisePresets : public testing::TestWithParam<bool>
+class WideNoisePresets : public PresetTest
 {
 protected:
   static double
-  shareLeft (const Vectors& points, std::uint32_t k, const SmoothingOptions& options)
+  shareLeft (const Vectors& points, const SmoothingOptions& options)
   {
-    return meanDistance (sum (points, smoothed (asPositions (points), k, options).displacements)) /
+    return meanDistance (sum (points, smoothed (asPositions (points), k (), options).displacements)) /
            meanDistance (points);
   }
 };
@@ -28,11 +28,10 @@ TEST_P (WideNoisePresets, ItIsSmoothed)
 {
   for (const double noise : {0.5, 1.0}) {
     const Vectors points = square (noise);
-    SmoothingOptions options = wideningOptions (GetParam ());
-    const std::uint32_t k = GetParam () ? 16 : 32;
-    EXPECT_LT (shareLeft (points, k, options), 0.3) << noise;
+    SmoothingOptions options = wideningOptions (isFast ());
+    EXPECT_LT (shareLeft (points, options), 0.3) << noise;
     options.widen_neighborhoods = false;
-    EXPECT_GT (shareLeft (points, k, options), 0.4) << noise << ": the test is of no use";
+    EXPECT_GT (shareLeft (points, options), 0.4) << noise << ": the test is of no use";
   }
 }
 
@@ -44,19 +43,18 @@ TEST_P (WideNoisePresets, DetailIsKept)
       sum += std::abs (point.cast<double> ().norm () - heightOfBumps (point.cast<double> ().normalized ()));
     return sum / static_cast<double> (points.size ());
   };
-  const SmoothingOptions options = wideningOptions (GetParam ());
+  const SmoothingOptions options = wideningOptions (isFast ());
   for (const double noise : {0.5, 1.0, 2.0}) {
     const Vectors points = bumpySphere (noise);
-    const Vectors moved = sum (points, smoothed (asPositions (points), GetParam () ? 16 : 32, options).displacements);
-    EXPECT_LT (meanOffset (moved), (GetParam () ? 0.4 : 0.3) * meanOffset (points)) << noise;
+    const Vectors moved = sum (points, smoothed (asPositions (points), k (), options).displacements);
+    EXPECT_LT (meanOffset (moved), (isFast () ? 0.4 : 0.3) * meanOffset (points)) << noise;
   }
 }
 
 TEST_P (WideNoisePresets, WallsFarFromADepthCameraAreSmoothed)
 {
   const Vectors walls = twoWalls (1, 5), noisy = withNoiseOfDepth (walls, 0.002);
-  const std::uint32_t k = GetParam () ? 16 : 32;
-  const Vectors moved = sum (noisy, smoothed (asPositions (noisy), k, wideningOptions (GetParam ())).displacements);
+  const Vectors moved = sum (noisy, smoothed (asPositions (noisy), k (), wideningOptions (isFast ())).displacements);
   const auto meanOffset = [&] (const Vectors& points, float z) {
     double sum = 0;
     for (std::size_t i = 0; i < points.size (); ++i)
@@ -81,8 +79,7 @@ TEST_P (WideNoisePresets, ThinPlatesKeepTheirThickness)
         sum += std::abs (points[i].z () - sheets[i].z ());
       return sum / static_cast<double> (points.size ());
     };
-    const std::uint32_t k = GetParam () ? 16 : 32;
-    const Vectors moved = sum (noisy, smoothed (asPositions (noisy), k, wideningOptions (GetParam ())).displacements);
+    const Vectors moved = sum (noisy, smoothed (asPositions (noisy), k (), wideningOptions (isFast ())).displacements);
     EXPECT_LT (meanOffset (moved), 0.82 * meanOffset (noisy)) << noise;
   }
 }
@@ -90,11 +87,11 @@ TEST_P (WideNoisePresets, ThinPlatesKeepTheirThickness)
 TEST_P (WideNoisePresets, NoPointGoesFartherThanItMay)
 {
   const Vectors points = bumpySphere (1.5);
-  SmoothingOptions options = wideningOptions (GetParam ());
+  SmoothingOptions options = wideningOptions (isFast ());
   ASSERT_FALSE (wideNoiseOf (points).ratios.regions.empty ()) << "the test is of no use";
   options.rounds.max_displacement = 0.02f;
   float farthest = 0;
-  for (const Eigen::Vector3f& way : smoothed (asPositions (points), GetParam () ? 16 : 32, options).displacements)
+  for (const Eigen::Vector3f& way : smoothed (asPositions (points), k (), options).displacements)
     farthest = std::max (farthest, way.norm ());
   EXPECT_NEAR (farthest, 0.02f, 1e-6f);
 }
@@ -102,23 +99,23 @@ TEST_P (WideNoisePresets, NoPointGoesFartherThanItMay)
 TEST_P (WideNoisePresets, WithoutRoundsOrNoiseNothingMoves)
 {
   const Vectors points = bumpySphere (1.5);
-  SmoothingOptions without_rounds = wideningOptions (GetParam ()), without_noise = without_rounds;
+  SmoothingOptions without_rounds = wideningOptions (isFast ()), without_noise = without_rounds;
   without_rounds.rounds.rounds = 0;
   without_noise.rounds.noise.sigma = 0;
   for (const SmoothingOptions& options : {without_rounds, without_noise})
-    for (const Eigen::Vector3f& way : smoothed (asPositions (points), GetParam () ? 16 : 32, options).displacements)
+    for (const Eigen::Vector3f& way : smoothed (asPositions (points), k (), options).displacements)
       ASSERT_EQ (way, Eigen::Vector3f::Zero ());
 }
 
 TEST_P (WideNoisePresets, WhoseNormalsAreGivenIsNotProjected)
 {
   const Vectors points = bumpySphere (1.5);
-  SmoothingOptions options = wideningOptions (GetParam ());
+  SmoothingOptions options = wideningOptions (isFast ());
   options.normals = NormalSource::INPUT;
   Vectors normals = points;
   for (std::size_t i = 0; i < normals.size (); ++i)
     normals[i] = i % 100 == 0 ? Eigen::Vector3f::Constant (std::nanf ("")) : points[i].normalized ();
-  const Vectors ways = smoothed (asPositions (points), GetParam () ? 16 : 32, options, normals).displacements;
+  const Vectors ways = smoothed (asPositions (points), k (), options, normals).displacements;
   for (std::size_t i = 0; i < ways.size (); i += 100)
     ASSERT_EQ (ways[i], Eigen::Vector3f::Zero ()) << "no normal, no move";
 }
@@ -126,14 +123,11 @@ TEST_P (WideNoisePresets, WhoseNormalsAreGivenIsNotProjected)
 TEST_P (WideNoisePresets, ItIsSmoothedWhereItHidesInClumps)
 {
   const Vectors points = crossingSweeps (0.004);
-  SmoothingOptions options = wideningOptions (GetParam ());
-  const std::uint32_t k = GetParam () ? 16 : 32;
-  EXPECT_LT (shareLeft (points, k, options), 0.15);
+  SmoothingOptions options = wideningOptions (isFast ());
+  EXPECT_LT (shareLeft (points, options), 0.15);
   options.widen_neighborhoods = false;
-  EXPECT_GT (shareLeft (points, k, options), 0.8) << "the test is of no use";
+  EXPECT_GT (shareLeft (points, options), 0.8) << "the test is of no use";
 }
 
-INSTANTIATE_TEST_SUITE_P (Presets, WideNoisePresets, testing::Bool (), [] (const auto& preset) {
-  return preset.param ? "Fast" : "Default";
-});
+INSTANTIATE_TEST_SUITE_P (Presets, WideNoisePresets, testing::Bool (), nameOfPreset);
 } // namespace

@@ -156,7 +156,7 @@ TEST (KeepApart, SmoothedPointsDoNotClump)
       for (const double noise : {0.1, 0.2, 0.3}) {
         const Vectors points = withNoise (shape.points, noise * 0.046, 31);
         const Vectors result =
-            sum (points, smoothed (asPositions (points), fast ? 16 : 32, robustOptions (fast)).displacements);
+            sum (points, smoothed (asPositions (points), neighborsOf (fast), robustOptions (fast)).displacements);
         EXPECT_GT (closest (result), 0.8f * closest (points)) << "noise " << noise << ", fast " << fast;
       }
 }

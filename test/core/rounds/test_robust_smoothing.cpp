@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "preset_test.h"
 #include "shapes.h"
-#include "smoothed.h"
-
-#include <core/smoothing_preparation.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +17,7 @@ using namespace test_support;
 Vectors
 smoothedPoints (const Vectors& points, bool fast)
 {
-  return sum (points, smoothed (asPositions (points), fast ? 16 : 32, robustOptions (fast)).displacements);
+  return sum (points, smoothed (asPositions (points), neighborsOf (fast), robustOptions (fast)).displacements);
 }
 
 using Distance = std::function<double (const Eigen::Vector3f&)>;
@@ -31,16 +29,6 @@ meanDistance (const Vectors& points, const Distance& distance)
   for (const auto& point : points)
     total += std::abs (distance (point));
   return total / static_cast<double> (points.size ());
-}
-
-/** Noise along the normals. */
-Vectors
-withNormalNoise (const Shape& shape, double sigma, std::uint64_t seed)
-{
-  Vectors points = shape.points;
-  for (std::size_t i = 0; i < points.size (); ++i)
-    points[i] += static_cast<float> (sigma * gaussianNoise (seed, i)) * shape.normals[i];
-  return points;
 }
 
 double
@@ -63,21 +51,21 @@ toUnitCube (const Eigen::Vector3f& p)
   return outside > 0 ? outside : q.maxCoeff ();
 }
 
-class RobustSmoothingTest : public testing::TestWithParam<bool>
+class RobustSmoothingTest : public PresetTest
 {
 protected:
   double
   ratio (const Shape& shape, double sigma, const Distance& distance) const
   {
     const Vectors noisy = withNormalNoise (shape, sigma, 7);
-    return meanDistance (smoothedPoints (noisy, GetParam ()), distance) / meanDistance (noisy, distance);
+    return meanDistance (smoothedPoints (noisy, isFast ()), distance) / meanDistance (noisy, distance);
   }
 };
 
 // Bounds a quarter above what holds on other seeds too: a broken weight or covariance costs more than that.
 TEST_P (RobustSmoothingTest, PointsComeCloseToTheSurface)
 {
-  const bool fast = GetParam ();
+  const bool fast = isFast ();
   EXPECT_LT (ratio (sphere (5000, 1), 0.2 * 0.05, toUnitSphere), fast ? 0.35 : 0.25);
   EXPECT_LT (ratio (torus (8000, 1, 0.4), 0.2 * 0.045, toTorus), fast ? 0.45 : 0.40);
   EXPECT_LT (ratio (cube (40, 1), 0.2 / 40, toUnitCube), fast ? 0.42 : 0.32);
@@ -92,7 +80,7 @@ TEST_P (RobustSmoothingTest, MoreNoiseIsNoHarm)
 TEST_P (RobustSmoothingTest, ACleanCloudStays)
 {
   for (const Shape& shape : {sphere (5000, 1), cube (40, 1), planeGrid (60, 0.02f)}) {
-    const Vectors after = smoothedPoints (shape.points, GetParam ());
+    const Vectors after = smoothedPoints (shape.points, isFast ());
     double moved = 0;
     for (std::size_t i = 0; i < after.size (); ++i)
       moved += (after[i] - shape.points[i]).norm ();
@@ -106,7 +94,7 @@ TEST_P (RobustSmoothingTest, TwoCloseSheetsKeepTheirDistance)
   for (const float gap : {1.5f, 2.0f, 3.0f}) {
     const Shape sheets = parallelSheets (50, spacing, gap * spacing);
     const Vectors noisy = withNormalNoise (sheets, 0.2 * spacing, 5);
-    const Vectors after = smoothedPoints (noisy, GetParam ());
+    const Vectors after = smoothedPoints (noisy, isFast ());
     double toward = 0;
     for (std::size_t i = 0; i < after.size (); ++i)
       toward -= (after[i] - noisy[i]).dot (sheets.normals[i]); // normals point away from the other sheet
@@ -133,7 +121,7 @@ leftOf (const Shape& shape, bool fast, const Vectors& start = {})
     return total;
   };
   const Vectors noisy = withNormalNoise (shape, 0.2 * sheet_spacing, 5);
-  return distance (sum (noisy, smoothed (asPositions (noisy), fast ? 16 : 32, options, start).displacements)) /
+  return distance (sum (noisy, smoothed (asPositions (noisy), neighborsOf (fast), options, start).displacements)) /
          distance (noisy);
 }
 
@@ -185,7 +173,7 @@ TEST_P (RobustSmoothingTest, TheOutlineOfAPatchStays)
   constexpr float spacing = 0.02f;
   const Shape patch = planeGrid (side, spacing);
   const Vectors noisy = withNormalNoise (patch, 0.2 * spacing, 6);
-  const Vectors after = smoothedPoints (noisy, GetParam ());
+  const Vectors after = smoothedPoints (noisy, isFast ());
   float outline = 0, original = 0;
   for (std::size_t i = 0; i < after.size (); ++i) {
     outline = std::max (outline, after[i].x ());
@@ -200,7 +188,7 @@ TEST_P (RobustSmoothingTest, OutliersAreLeftWhereTheyAre)
   Vectors noisy = withNormalNoise (shape, 0.01, 8);
   for (std::size_t i = 0; i < noisy.size (); i += 500)
     noisy[i] *= 1.5f; // ten spacings away
-  const Vectors after = smoothedPoints (noisy, GetParam ());
+  const Vectors after = smoothedPoints (noisy, isFast ());
   for (std::size_t i = 0; i < noisy.size (); i += 500)
     EXPECT_LT ((after[i] - noisy[i]).norm (), 0.05) << i;
 }
@@ -208,7 +196,7 @@ TEST_P (RobustSmoothingTest, OutliersAreLeftWhereTheyAre)
 TEST_P (RobustSmoothingTest, NoPointPassesTheLimit)
 {
   const Vectors noisy = withNormalNoise (torus (4000, 1, 0.4), 0.01, 9);
-  SmoothingOptions options = robustOptions (GetParam ());
+  SmoothingOptions options = robustOptions (isFast ());
   options.rounds.max_displacement = 0.003f;
   for (const auto& displacement : smoothed (asPositions (noisy), 32, options).displacements)
     EXPECT_LE (displacement.norm (), 0.003f * 1.0001f);
@@ -218,42 +206,38 @@ TEST_P (RobustSmoothingTest, ShortRowsAndFewPointsAreNoTrouble)
 {
   for (const int count : {3, 4, 7, 20}) {
     const Vectors noisy = withNormalNoise (sphere (count, 1), 0.01, 10);
-    for (const auto& point : smoothedPoints (noisy, GetParam ()))
+    for (const auto& point : smoothedPoints (noisy, isFast ()))
       EXPECT_TRUE (point.allFinite ()) << count << " points";
   }
   const Vectors noisy = withNormalNoise (torus (4000, 1, 0.4), 0.01, 11);
   for (const std::uint32_t k : {3u, 6u, 9u})
-    for (const auto& displacement : smoothed (asPositions (noisy), k, robustOptions (GetParam ())).displacements)
+    for (const auto& displacement : smoothed (asPositions (noisy), k, robustOptions (isFast ())).displacements)
       EXPECT_LT (displacement.norm (), 0.1) << "k " << k;
 }
 
 TEST_P (RobustSmoothingTest, ThreadsAndOrderDoNotMatter)
 {
   const Vectors noisy = withNormalNoise (torus (6000, 1, 0.4), 0.01, 12);
-  const auto options = robustOptions (GetParam ());
+  const auto options = robustOptions (isFast ());
   const Vectors expected = smoothed (asPositions (noisy), 32, options, {}, 1).displacements;
   EXPECT_EQ (smoothed (asPositions (noisy), 32, options, {}, 4).displacements, expected);
 
-  const auto numbers = permutation (noisy.size (), 13);
-  const Elements order (numbers.begin (), numbers.end ());
-  const Vectors shuffled = smoothed (gather (asPositions (noisy), order), 32, options).displacements;
+  const auto order = permutation (noisy.size (), 13);
+  const Vectors of_shuffled = smoothed (asPositions (shuffled (noisy, 13)), 32, options).displacements;
   for (std::size_t i = 0; i < order.size (); ++i)
-    ASSERT_EQ (shuffled[i], expected[order[i]]) << i;
+    ASSERT_EQ (of_shuffled[i], expected[order[i]]) << i;
 }
 
 TEST_P (RobustSmoothingTest, NoiseThatVariesIsSmoothedByWhatItIsWhere)
 {
   const Shape ball = sphere (6000, 1);
-  const auto distance = [] (const Eigen::Vector3f& p) { return std::abs (p.norm () - 1.0); };
-  SmoothingOptions options = robustOptions (GetParam ());
+  const auto growing = [] (const Eigen::Vector3f& p) { return 0.046 * (0.25 + 0.2 * p.x ()); };
+  SmoothingOptions options = robustOptions (isFast ());
   for (const std::uint64_t seed : {1, 2}) {
-    Vectors points = ball.points;
-    for (std::size_t i = 0; i < points.size (); ++i)
-      points[i] *= 1 + 0.046f * (0.25f + 0.2f * points[i].x ()) * static_cast<float> (gaussianNoise (seed, i));
+    const Vectors points = withNormalNoise (ball, growing, seed);
     const auto error = [&] (bool varies) {
       options.noise_varies = varies;
-      return meanDistance (sum (points, smoothed (asPositions (points), GetParam () ? 16 : 32, options).displacements),
-                           distance);
+      return meanDistance (sum (points, smoothed (asPositions (points), k (), options).displacements), toUnitSphere);
     };
     EXPECT_LT (error (true), 0.85 * error (false)) << seed;
   }
@@ -269,20 +253,9 @@ TEST_P (RobustSmoothingTest, StepsOfADepthCameraAreSmoothed)
       const double height = slope * points[i].x () + 0.2 * step * gaussianNoise (seed, i);
       points[i].z () = step * static_cast<float> (std::round (height / step));
     }
-    EXPECT_LT (meanDistance (smoothedPoints (points, GetParam ()), distance), 0.35 * meanDistance (points, distance));
+    EXPECT_LT (meanDistance (smoothedPoints (points, isFast ()), distance), 0.35 * meanDistance (points, distance));
   }
 }
 
-TEST (LayersTest, WhatLeavesHardlyAnyNoiseThoughNoSheetIsSeenAreLayers)
-{
-  const auto areLayers = SmoothingPreparation::areLayers;
-  EXPECT_TRUE (areLayers ({0.01f, 0.1f}, {0.001f, 0.1f}, {}));
-  EXPECT_FALSE (areLayers ({0.01f, 0.1f}, {0.004f, 0.1f}, {})) << "the thin parts of a shape";
-  EXPECT_FALSE (areLayers ({0.01f, 0.1f}, {0.001f, 0.1f}, {0.2f, 0.001f})) << "sheets that were seen";
-  EXPECT_FALSE (areLayers ({0.01f, 0.1f}, {0, 0}, {})) << "too little is left to tell";
-}
-
-INSTANTIATE_TEST_SUITE_P (Presets, RobustSmoothingTest, testing::Bool (), [] (const auto& preset) {
-  return preset.param ? "Fast" : "Default";
-});
+INSTANTIATE_TEST_SUITE_P (Presets, RobustSmoothingTest, testing::Bool (), nameOfPreset);
 } // namespace

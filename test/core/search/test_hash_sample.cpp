@@ -62,4 +62,27 @@ TEST (HashSampleTest, LimitsOfAStreamAreThoseOfTheCloud)
   for (const std::size_t size : {1, 1000, 4096})
     EXPECT_EQ (nodesUpTo (smallest.limitFor (size), cloud, Execution (2)), sampleNodes (cloud, size, Execution (2)));
 }
+
+/** A grid of so many points a side, .01 apart, where float has steps of half a unit. */
+Positions
+farGrid (int side)
+{
+  Positions far;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const Eigen::Vector3d point (4e6 + .01 * i, 8e6 + .01 * j, 5e6);
+      far.base.push_back (point.cast<float> ());
+      far.offset.push_back ((point - far.base.back ().cast<double> ()).cast<float> ());
+    }
+  return far;
+}
+
+TEST (HashSampleTest, IsAsLargeFarFromTheOrigin)
+{
+  const Positions far = farGrid (200);
+  for (const std::size_t size : {500, 4000}) {
+    const auto sample = static_cast<double> (sampleNodes (far, size, Execution (1)).size ());
+    EXPECT_NEAR (sample / static_cast<double> (size), 1, .15);
+  }
+}
 } // namespace

@@ -18,10 +18,7 @@ constexpr float spacing = 0.02f;
 SheetDetection
 sightOf (const Shape& shape, float noise, std::uint32_t k)
 {
-  Vectors points = shape.points;
-  for (std::size_t i = 0; i < points.size (); ++i)
-    points[i] += noise * spacing * static_cast<float> (gaussianNoise (3, i)) * shape.normals[i];
-  const Searched cloud (points, {k});
+  const Searched cloud (withNormalNoise (shape, noise * spacing, 3), {k});
   const Execution execution (2);
   return detectSheets (*cloud.graph, cloud.nodes, sampleNodes (cloud.nodes, sheet_sample_size, execution),
                        sheetScales (noise * spacing, spacing), execution);

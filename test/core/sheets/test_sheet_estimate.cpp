@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "graph_rows.h"
-#include "shapes.h"
+#include "searched.h"
 
 #include <core/search/hash_sample.h>
 #include <core/sheets/sheet_criterion.h>
 #include <core/sheets/sheet_estimate.h>
-#include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
 #include <gtest/gtest.h>
 
@@ -19,26 +17,6 @@ using namespace test_support;
 
 constexpr float spacing = 0.02f;
 
-Vectors
-withNormalNoise (const Shape& shape, float sigma)
-{
-  Vectors points = shape.points;
-  for (std::size_t i = 0; i < points.size (); ++i)
-    points[i] += sigma * static_cast<float> (gaussianNoise (3, i)) * shape.normals[i];
-  return points;
-}
-
-struct Searched
-{
-  explicit Searched (const Vectors& points)
-  : graph (NeighborGraph::build (asPositions (points), {32}, Execution (2)))
-  , nodes (gather (asPositions (points), graph->order ()))
-  {}
-
-  NeighborGraph::ConstPtr graph;
-  Positions nodes;
-};
-
 SheetSample
 sampleOf (const Searched& cloud, float distance, unsigned threads = 2)
 {
@@ -51,7 +29,7 @@ TEST (SheetEstimateTest, SeesHowFarApartSheetsAreAndTheirNoise)
 {
   const std::pair<float, float> sheets[] = {{1, .1f}, {1.2f, .15f}, {1.5f, .2f}, {2, .2f}, {3, .2f}};
   for (const auto& [gap, noise] : sheets) {
-    const Searched cloud (withNormalNoise (parallelSheets (60, spacing, gap * spacing), noise * spacing));
+    const Searched cloud (withNormalNoise (parallelSheets (60, spacing, gap * spacing), noise * spacing, 3));
     const float distance = std::min (1.2f, 4.5f * noise) * spacing;
     const SheetEstimate estimate = estimateSheets (sampleOf (cloud, distance), distance);
     EXPECT_NEAR (estimate.gap / spacing, gap, .2 * gap);
@@ -77,7 +55,7 @@ TEST (SheetEstimateTest, SeesNoneWhereThereIsOneSheet)
   for (const Shape& shape : shapes)
     for (const float noise : {0.0f, .05f, .2f, .5f})
       for (const float distance : {4 * noise * spacing, 1.2f * spacing}) {
-        const Searched cloud (withNormalNoise (shape, noise * spacing));
+        const Searched cloud (withNormalNoise (shape, noise * spacing, 3));
         EXPECT_EQ (estimateSheets (sampleOf (cloud, distance), distance).gap, 0)
             << "shape " << &shape - shapes << ", noise " << noise << ", distance " << distance / spacing;
       }
@@ -106,9 +84,9 @@ TEST (SheetEstimateTest, CleanSheetsAreSheets)
 
 TEST (SheetEstimateTest, ASampleIsAsGoodAsTheWholeCloud)
 {
-  const Searched small (withNormalNoise (parallelSheets (20, spacing, 1.5f * spacing), .2f * spacing));
+  const Searched small (withNormalNoise (parallelSheets (20, spacing, 1.5f * spacing), .2f * spacing, 3));
   EXPECT_EQ (sampleOf (small, .8f * spacing).nodes, small.nodes.size ());
-  const Searched large (withNormalNoise (parallelSheets (150, spacing, 1.5f * spacing), .2f * spacing));
+  const Searched large (withNormalNoise (parallelSheets (150, spacing, 1.5f * spacing), .2f * spacing, 3));
   const SheetSample sample = sampleOf (large, .8f * spacing);
   EXPECT_NEAR (static_cast<double> (sample.nodes), 1024, 128);
   EXPECT_NEAR (estimateSheets (sample, .8f * spacing).gap, 1.5f * spacing, .15f * spacing);
@@ -116,7 +94,7 @@ TEST (SheetEstimateTest, ASampleIsAsGoodAsTheWholeCloud)
 
 TEST (SheetEstimateTest, PartsMakeTheWhole)
 {
-  const Searched cloud (withNormalNoise (parallelSheets (40, spacing, 1.5f * spacing), .2f * spacing));
+  const Searched cloud (withNormalNoise (parallelSheets (40, spacing, 1.5f * spacing), .2f * spacing, 3));
   const float distance = .8f * spacing;
   const Execution execution (2);
   std::vector<std::uint32_t> parts[2];
@@ -135,7 +113,7 @@ TEST (SheetEstimateTest, PartsMakeTheWhole)
 TEST (SheetEstimateTest, ASheetLiesAllAround)
 {
   SheetSample sample =
-      sampleOf (Searched (withNormalNoise (parallelSheets (60, spacing, 1.5f * spacing), .2f * spacing)),
+      sampleOf (Searched (withNormalNoise (parallelSheets (60, spacing, 1.5f * spacing), .2f * spacing, 3)),
                 .8f * spacing);
   const auto gapWithSides = [&] (float side) {
     std::fill (sample.sides.begin (), sample.sides.end (), side);

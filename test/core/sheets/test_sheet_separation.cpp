@@ -17,15 +17,6 @@ using namespace test_support;
 constexpr float spacing = 0.02f;
 constexpr float noise = 0.2f * spacing;
 
-Vectors
-withNormalNoise (const Shape& shape, std::uint64_t seed)
-{
-  Vectors points = shape.points;
-  for (std::size_t i = 0; i < points.size (); ++i)
-    points[i] += noise * static_cast<float> (gaussianNoise (seed, i)) * shape.normals[i];
-  return points;
-}
-
 struct Separated
 {
   NeighborGraph::ConstPtr before, after;
@@ -63,7 +54,8 @@ TEST (SheetSeparationTest, RowsKeepToTheirSheet)
   // them.
   const std::pair<float, double> shares_left[] = {{1.5f, 0.35}, {2.0f, 0.2}, {3.0f, 0.2}};
   for (const auto& [gap, share_left] : shares_left) {
-    const Separated sheets = separated (withNormalNoise (parallelSheets (50, spacing, gap * spacing), 3), 4 * noise);
+    const Separated sheets =
+        separated (withNormalNoise (parallelSheets (50, spacing, gap * spacing), noise, 3), 4 * noise);
     const double before = shareOfOthers (*sheets.before), after = shareOfOthers (*sheets.after);
     EXPECT_GT (before, 0.05) << gap << " spacings apart";
     EXPECT_LT (after, share_left * before) << gap << " spacings apart: " << before << " -> " << after;
@@ -72,7 +64,7 @@ TEST (SheetSeparationTest, RowsKeepToTheirSheet)
 
 TEST (SheetSeparationTest, ChangedRowsAreFullAndInOrder)
 {
-  const Separated sheets = separated (withNormalNoise (parallelSheets (30, spacing, 2 * spacing), 4), 4 * noise);
+  const Separated sheets = separated (withNormalNoise (parallelSheets (30, spacing, 2 * spacing), noise, 4), 4 * noise);
   for (std::uint32_t node = 0; node < sheets.after->size (); ++node) {
     const Row row = sheets.after->row (node);
     ASSERT_EQ (row.size (), 32u) << node;
@@ -85,7 +77,7 @@ TEST (SheetSeparationTest, ChangedRowsAreFullAndInOrder)
 
 TEST (SheetSeparationTest, NeighboursPastThe32ndDoNotMatter)
 {
-  const Positions cloud = asPositions (withNormalNoise (parallelSheets (40, spacing, 1.2f * spacing), 8));
+  const Positions cloud = asPositions (withNormalNoise (parallelSheets (40, spacing, 1.2f * spacing), noise, 8));
   const Execution execution (2);
   const auto rows_of = [&] (std::uint32_t k, bool separate) {
     const NeighborGraph::ConstPtr graph = NeighborGraph::build (cloud, {k}, execution);
@@ -107,7 +99,7 @@ TEST (SheetSeparationTest, OneSheetStaysAsItIs)
 {
   const Shape shapes[] = {planeGrid (60, spacing), sphere (30000, 1), cube (50, 1), torus (20000, 1, 0.4)};
   for (const Shape& shape : shapes) {
-    const Separated sheet = separated (withNormalNoise (shape, 5), 4 * noise);
+    const Separated sheet = separated (withNormalNoise (shape, noise, 5), 4 * noise);
     std::size_t changed = 0;
     for (std::size_t node = 0; node < sheet.before->size (); ++node)
       changed += rowInCloud (*sheet.before, node) != rowInCloud (*sheet.after, node);
@@ -126,7 +118,7 @@ TEST (SheetSeparationTest, OrientedNormalsSeparateSheetsAtOneSpacing)
 {
   const Shape sheets = parallelSheets (40, spacing, spacing);
   const Execution execution (2);
-  const Positions cloud = asPositions (withNormalNoise (sheets, 6));
+  const Positions cloud = asPositions (withNormalNoise (sheets, noise, 6));
   const NeighborGraph::ConstPtr graph = NeighborGraph::build (cloud, {32}, execution);
   const Vectors normals = byNode (sheets.normals, *graph);
   const Positions nodes = gather (cloud, graph->order ());
@@ -135,7 +127,7 @@ TEST (SheetSeparationTest, OrientedNormalsSeparateSheetsAtOneSpacing)
 
 TEST (SheetSeparationTest, ThreadsDoNotMatter)
 {
-  const Vectors points = withNormalNoise (parallelSheets (40, spacing, 1.5f * spacing), 7);
+  const Vectors points = withNormalNoise (parallelSheets (40, spacing, 1.5f * spacing), noise, 7);
   const auto expected = rowsByPoint (*separated (points, 4 * noise, 1).after);
   EXPECT_EQ (rowsByPoint (*separated (points, 4 * noise, 4).after), expected);
 }

@@ -10,13 +10,13 @@ namespace pcl_normal_smoothing::evaluation
 
 /** Distances to a triangle mesh, by CGAL's AABB tree: with the vertex that a point stems from as a hint it takes a
   * fifth of the time of the cell locator of VTK that pcl_smoothing_error uses (3 against 15 microseconds). */
-class MeshDistance
+class HintedMeshDistance
 {
 public:
   /** \param[in] mesh with at least one triangle */
-  explicit MeshDistance (const tools::Mesh& mesh);
+  explicit HintedMeshDistance (const tools::Mesh& mesh);
 
-  ~MeshDistance ();
+  ~HintedMeshDistance ();
 
   /** \param[in] on_mesh any point of the mesh; the nearer, the faster */
   double

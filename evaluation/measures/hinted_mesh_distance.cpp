@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "measures/mesh_distance.h"
+#include "measures/hinted_mesh_distance.h"
+
+#include "measures/cgal_point.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
 
@@ -12,24 +13,17 @@ namespace pcl_normal_smoothing::evaluation
 {
 namespace
 {
-using Kernel = CGAL::Simple_cartesian<double>;
 using Triangles = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-
-Kernel::Point_3
-toCgal (const Eigen::Vector3d& p)
-{
-  return {p.x (), p.y (), p.z ()};
-}
 } // namespace
 
-struct MeshDistance::Tree
+struct HintedMeshDistance::Tree
 {
   Triangles triangles;
   CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree;
 };
 
-MeshDistance::MeshDistance (const tools::Mesh& mesh) : tree_ (std::make_unique<Tree> ())
+HintedMeshDistance::HintedMeshDistance (const tools::Mesh& mesh) : tree_ (std::make_unique<Tree> ())
 {
   for (const auto& [a, b, c] : mesh.triangles)
     tree_->triangles.emplace_back (toCgal (mesh.vertices[a]), toCgal (mesh.vertices[b]), toCgal (mesh.vertices[c]));
@@ -37,10 +31,10 @@ MeshDistance::MeshDistance (const tools::Mesh& mesh) : tree_ (std::make_unique<T
   tree_->tree.build (); // now, as queries come from many threads
 }
 
-MeshDistance::~MeshDistance () = default;
+HintedMeshDistance::~HintedMeshDistance () = default;
 
 double
-MeshDistance::operator() (const Eigen::Vector3d& point, const Eigen::Vector3d& on_mesh) const
+HintedMeshDistance::operator() (const Eigen::Vector3d& point, const Eigen::Vector3d& on_mesh) const
 {
   const Kernel::Point_3 query = toCgal (point);
   return std::sqrt (CGAL::squared_distance (query, tree_->tree.closest_point (query, toCgal (on_mesh))));

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "clouds.h"
+
+namespace pcl_normal_smoothing::benchmarks
+{
+/** What others do: fills a pcl::search::KdTree and asks it for \a k neighbours of every point. */
+void
+searchByKdTree (const Cloud::Ptr& cloud, int k, int threads);
+} // namespace pcl_normal_smoothing::benchmarks
