@@ -66,7 +66,11 @@ def main():
     with tempfile.TemporaryDirectory() as work:
         counts = {name: len(study.select(model=name, noise=options.noise, family="peer")) for name in study.models}
         studied = [name for name, count in counts.items() if count == max(counts.values())]  # whole ones
-        by_model = {name: entries(study, model=name, noise=options.noise, sigma=study.sigma) for name in studied}
+        no_gaps = {"ours", "peer", "noisy"} | ({"sweep"} if study.select(family="sweep") else set())
+        by_model = {
+            name: [e for e in entries(study, model=name, noise=options.noise, sigma=study.sigma) if e.group in no_gaps]
+            for name in studied
+        }
         shrink(main_results.dots(by_model, work, "results"), os.path.join(options.images, "choosing_results.png"))
         with display(), Stage(height=420) as stage:
             for name in options.models.split(","):

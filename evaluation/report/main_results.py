@@ -105,7 +105,7 @@ def _draw_dots(axis, found, highest):
         axis.plot(entry.mean(), place, "o", color=colour, markerfacecolor=inside, markersize=5)
     axis.axvline(1, color=style.DARK, linewidth=0.9, linestyle="--")
     axis.set_xscale("log")
-    axis.set_xlim(0.12, max(2, highest * 1.2))
+    axis.set_xlim(0.1, max(2, highest * 1.2))
     ticks = [tick for tick in (0.2, 0.5, 1, 2, 5, 10, 20, 50) if tick <= max(2, highest * 1.2)]
     axis.set_xticks(ticks, [format_number(tick) for tick in ticks])
     axis.minorticks_off()
