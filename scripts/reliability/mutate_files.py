@@ -10,6 +10,7 @@ import argparse
 import collections
 import math
 import os
+import pathlib
 import random
 import re
 import resource
@@ -223,8 +224,7 @@ def limits():
 
 def is_complete(path):
     """A PCD file that holds as many bytes as its header says."""
-    with open(path, "rb") as file:
-        data = file.read()
+    data = pathlib.Path(path).read_bytes()
     header = data[:header_end(data)].decode("latin1")
     lines = {line.split()[0]: line.split()[1:] for line in header.splitlines() if line.split()}
     stride = sum(int(s) * int(c) for s, c in zip(lines["SIZE"], lines["COUNT"]))
@@ -266,21 +266,18 @@ def main():
     parser.add_argument("--keep", default="hostile_files_that_failed", help="folder for files that did harm")
     arguments = parser.parse_args()
     folder = tempfile.mkdtemp(prefix="hostile.")
-    with open(os.path.join(folder, "good.pcd"), "wb") as file:
-        file.write(SEEDS["binary.pcd"])
+    pathlib.Path(folder, "good.pcd").write_bytes(SEEDS["binary.pcd"])
     statuses, failures = collections.Counter(), 0
     for number in range(arguments.count):
         dice = random.Random(arguments.seed * 1000003 + number)
         seed = list(SEEDS)[number % len(SEEDS)]
-        data = SEEDS[seed]
-        done = []
+        data, done = SEEDS[seed], []
         for _ in range(dice.choice((1, 1, 1, 2, 3))):
             mutation = dice.choice(MUTATIONS)
             done.append(mutation.__name__)
             data = (mutation(data, dice) if data else data)[:4 << 20]
         name = "in" + os.path.splitext(seed)[1]
-        with open(os.path.join(folder, name), "wb") as file:
-            file.write(data)
+        pathlib.Path(folder, name).write_bytes(data)
         is_cloud = not seed.startswith("mesh")
         command = dice.choice(CLOUD_COMMANDS if is_cloud and dice.random() < .8 or seed.endswith("pcd")
                               else MESH_COMMANDS)
