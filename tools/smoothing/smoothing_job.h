@@ -33,7 +33,7 @@ public:
   void
   addOptions (Options& options);
 
-  /** Prints notes on options without effect, or with a surprising one. \throw UsageError if options contradict others */
+  /** Prints notes on options without effect, or with a surprising one. \throw UsageError for contradictory options */
   void
   check (const Options& options) const;
 
