@@ -93,7 +93,7 @@ private:
   std::size_t tile_;
   core::Execution execution_;
   Region region_;
-  core::Vectors displacements_, normals_; // of region_.graph ()->points ()
+  core::Vectors displacements_, normals_; // one per element of region_.graph ()->points ()
   std::uint64_t with_normal_ = 0;
 };
 } // namespace
