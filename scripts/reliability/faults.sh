@@ -74,7 +74,7 @@ seconds ()
   awk -v seed=$RANDOM -v a="$1" -v b="$2" 'BEGIN {srand (seed); print a + (b - a) * rand ()}'
 }
 
-# Killed without warning at random moments, two of three while it writes: the output is the old file or the new one.
+# The tool is killed at random moments, two times in three while it writes: the output is the old file or the new one.
 killed ()
 {
   local i pid wrong=0 old=0 new=0 writing=0

@@ -48,7 +48,7 @@ def pcd(encoding):
         return header + b"".join(struct.pack("<6fI", *row) for row in rows)
     columns = b"".join(struct.pack("<I" if f == 6 else "<f", row[f]) for f in range(7) for row in rows)
     block = b"".join(bytes([len(columns[i:i + 32]) - 1]) + columns[i:i + 32] for i in range(0, len(columns), 32))
-    return header + struct.pack("<II", len(block), len(columns)) + block  # LZF of literals only
+    return header + struct.pack("<II", len(block), len(columns)) + block  # LZF with literals only
 
 
 def ply(encoding):

@@ -112,7 +112,7 @@ running_job () # FOLDER
   return 1
 }
 
-# Numbers of tiles whose result is not as old as it was.
+# Prints the files of results that are newer than the file "before".
 changed_results ()
 {
   for result in tiles.d/*.result; do
@@ -162,7 +162,7 @@ check "the same command completes it" cmp whole.pcd killed.d.out/cloud.pcd
 # A node loses power, with everything that runs on it, and comes back: its jobs are put back into the queue.
 submit lost.d >/dev/null
 victim=$(running_job lost.d)
-steps=$(pgrep -P "$slurmd") # before they lose their parent
+steps=$(pgrep -P "$slurmd") # while slurmd is still their parent
 kill -9 "$slurmd"
 [ -z "$steps" ] || xargs kill -9 2>/dev/null <<< "$steps"
 kill -9 "$victim" 2>/dev/null

@@ -59,7 +59,7 @@ addNormalFields (CloudFile& file, const std::vector<std::string>& more = {});
 CloudFile
 loadInput (const std::string& path);
 
-/** Saves the result, and says so. */
+/** Saves the result, and prints its path and size. */
 void
 saveResult (const CloudFile& file, const std::string& path, FileFormat format);
 } // namespace tools

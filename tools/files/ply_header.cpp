@@ -50,7 +50,7 @@ encodingNamed (std::string_view name)
   throw FormatError ("its header has an unknown format (" + std::string (name) + ")");
 }
 
-/** The fewest bytes that an element can take. */
+/** The smallest number of bytes that an element can take. */
 std::size_t
 leastBytes (const PlyElement& element, PlyHeader::Encoding encoding)
 {

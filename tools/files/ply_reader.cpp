@@ -18,7 +18,7 @@ namespace
 {
 using Field = pcl::PCLPointField;
 
-/** Reads an element, and hands its scalar numbers to \a use (property name, value). */
+/** Reads an element, and calls \a use (property, bytes of the number) for its numbers, except those in lists. */
 template <typename Use>
 void
 readElement (const PlyElement& element, PlyValues& values, const Use& use)
@@ -161,7 +161,7 @@ applyCamera (const std::map<std::string, double>& camera, CloudShape& shape)
     shape.origin[row] = static_cast<float> (value ("view_p" + axis));
     axes.row (row) << value (axis + "_axisx"), value (axis + "_axisy"), value (axis + "_axisz");
   }
-  // Other programs leave the axes empty, and put the size of their window into the viewport.
+  // Other programs leave the axes at zero, and put the size of their window into the viewport.
   if (std::abs (axes.determinant () - 1) < 1e-3)
     shape.orientation = Eigen::Quaterniond (axes).normalized ().cast<float> ();
   const double width = value ("viewportx"), height = value ("viewporty");

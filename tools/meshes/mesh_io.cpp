@@ -76,7 +76,7 @@ withoutAttributes (std::string off)
   for (const std::string promise : {"ST", "C", "N"}) // in this order
     end += off.compare (end, promise.size (), promise) == 0 ? promise.size () : 0;
   const bool promises_again =
-      off.find_first_of ("CN", end) == end || off.compare (end, 2, "ST") == 0; // CGAL refuses that
+      off.find_first_of ("CN", end) == end || off.compare (end, 2, "ST") == 0; // CGAL refuses it
   return promises_again ? off : off.erase (begin, end - begin);
 }
 

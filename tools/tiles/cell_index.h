@@ -9,7 +9,7 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Finds the cells that are not loaded yet near a place. */
+/** Finds the cells near a place that are not loaded yet. */
 class CellIndex
 {
 public:

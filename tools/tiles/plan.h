@@ -39,7 +39,7 @@ struct Cell
   std::uint32_t points = 0;
   std::uint32_t tile = 0;
   /** How far a hop goes: from the point nearest the centre to the k-th nearest in the cell, but not beyond the radius
-    * of the search; if it has fewer than k points, that radius, or 0 if there is none. */
+    * of the search; if it has fewer than k points or k is 0, that radius, or 0 if there is none. */
   float reach = 0;
   std::uint32_t padding = 0;
 };

@@ -43,7 +43,7 @@ struct Neighborhoods
   placeOf (std::uint32_t node) const;
 
   /** The distance from a node within which other points could change its searched row, in the unit of the files, with a
-    * margin for rounding; the radius of the query, which may be infinite, if the row has fewer than k points. */
+    * margin for rounding; the radius of the query, which may be infinite, if it has no k or the row is shorter. */
   double
   rowRadius (std::uint32_t node) const;
 };

@@ -44,7 +44,7 @@ public:
   void
   load (const std::vector<Place>& places, const IsWanted& is_wanted, const Depth& depth);
 
-  /** The same for all points of a tile. */
+  /** As load (), for all points of a tile. */
   void
   loadTile (std::size_t tile, const Depth& depth);
 
@@ -68,7 +68,7 @@ public:
     return nodes_;
   }
 
-  /** The normals of the files, in the order of the nodes; empty where they are not read. */
+  /** The normals of the files, in the order of the nodes; empty if they are not read. */
   core::Vectors&
   normals ()
   {

@@ -164,7 +164,7 @@ prepare (Plan& plan,
 {
   TiledCloud cloud (plan, sample, sheet_limit, execution);
   cloud.complete (plan.options);
-  // Wider neighbourhoods might need all of the cloud for one tile.
+  // With wider neighbourhoods, one tile might need all of the cloud.
   const bool widens = std::exchange (plan.options.widen_neighborhoods, false) && plan.options.robust;
   if (widens && cloud.mayNeedWidening ())
     note ("neighbourhoods may be too narrow to show the surface, for many points lie in planes with those around them, "

@@ -239,7 +239,7 @@ private:
   core::Execution execution_;
   Sources sources_;
   Plan plan_;
-  std::optional<VectorLayout> positions_, normals_; // in the files
+  std::optional<VectorLayout> positions_, normals_; // layouts in the files
   std::vector<Eigen::Vector3d> partition_sample_;
   std::unique_ptr<SpillFile> buckets_;
   std::size_t bucket_count_ = 0;
@@ -280,7 +280,7 @@ std::uint64_t
 pointsWithin (std::uint64_t memory, const core::SmoothingOptions& options, const core::NeighborQuery& query)
 {
   core::SmoothingOptions noisy = options;
-  noisy.rounds.noise = {1, 1}; // with all filters
+  noisy.rounds.noise = {1, 1}; // so that all filters run
   const double k = query.k > 0 ? query.k : 64;
   const double bytes = 250 + 4 * k;
   const double loaded = static_cast<double> (std::max (memory, 2 * program_bytes) - program_bytes) / bytes;

@@ -51,7 +51,7 @@ private:
   std::size_t step_;
   std::uint64_t left_;  // records that are not in the buffer yet
   std::uint64_t begin_; // where these begin in the file
-  std::size_t at_once_; // records
+  std::size_t at_once_; // records per refill
   std::vector<std::uint8_t> buffer_;
   std::size_t at_ = 0;
 };

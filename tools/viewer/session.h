@@ -100,7 +100,7 @@ public:
     return mesh_distance_.has_value ();
   }
 
-  /** Triangles between the nodes; none unless the mesh has a vertex for every point of the cloud. */
+  /** Triangles between the nodes; empty unless the mesh has one vertex per point of the cloud. */
   const std::vector<Mesh::Triangle>&
   triangles () const
   {
