@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A point type of one's own: the library is not compiled for it, so its templates come from the impl headers.
+// A custom point type: the library is not compiled for it, so its templates come from the impl headers.
 #define PCL_NO_PRECOMPILE
 #include <pcl_normal_smoothing/normal_smoothing.h>
 

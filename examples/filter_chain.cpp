@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Three filters in a chain that knows them as pcl::Filter only: thin out, remove outliers, smooth; then normals.
-// Colours stay.
+// Three filters in a chain that only knows them as pcl::Filter: thin out, remove outliers, smooth; then normals are
+// estimated. Colours are kept.
 #include <pcl_normal_smoothing/normal_smoothing.h>
 
 #include <pcl/features/normal_3d_omp.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// WPCANormalEstimation and HoughNormalEstimation where code takes any pcl::Feature that writes normals. On a sphere they
-// are about as good as PCL's; beside the edges of a cube, WPCA is a little better and Hough much.
+// WPCANormalEstimation and HoughNormalEstimation used by code that takes any pcl::Feature for normals. On a sphere they
+// are about as good as PCL's estimation; near the edges of a cube, WPCA is slightly better and Hough much better.
 #include <pcl_normal_smoothing/hough_normal_estimation.h>
 #include <pcl_normal_smoothing/wpca_normal_estimation.h>
 
@@ -16,7 +16,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 constexpr int size = 10000;
 constexpr float noise = 0.002f;
 
-/** A cloud, and what its normals are. */
+/** A cloud and its true normals. */
 struct Scan
 {
   Cloud::Ptr cloud = pcl::make_shared<Cloud> ();
@@ -33,7 +33,7 @@ struct Scan
   }
 };
 
-/** Of radius 1. */
+/** A sphere of radius 1. */
 Scan
 scanSphere ()
 {
@@ -47,7 +47,7 @@ scanSphere ()
   return scan;
 }
 
-/** With edges of 1; judged are the points whose neighbourhoods reach over one. */
+/** A cube with edges of 1; only points whose neighbourhoods extend over an edge are judged. */
 Scan
 scanCube ()
 {
@@ -69,7 +69,7 @@ scanCube ()
   return scan;
 }
 
-/** Between the normals and the true ones, in degrees. */
+/** Mean angle between the estimated and the true normals, in degrees. */
 double
 meanAngle (const NormalFeature::Ptr& feature, const Scan& scan)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A normal filter with a weight of one's own, in the place of the paper's: the arrays of `core`, without a class of
-// PCL's.
+// A normal filter with a custom weight in place of the paper's: it uses the arrays of `core`, without any class of
+// PCL.
 #include <pcl_normal_smoothing/core/chain/point_update.h>
 #include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
 #include <pcl_normal_smoothing/input_checks.h>
@@ -27,7 +27,7 @@ makeEdge ()
   return edge;
 }
 
-/** One iteration: Tukey's biweight of the angle between two normals, nothing from 40 degrees on. */
+/** One iteration; the weight is Tukey's biweight of the angle between two normals, zero from 40 degrees on. */
 core::Vectors
 filterByAngle (const core::NeighborGraph& graph, const core::Vectors& normals, const core::Execution& execution)
 {

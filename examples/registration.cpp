@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two noisy scans of one surface are aligned by GICP: smoothed, they find each other better.
+// Two noisy scans of one surface are aligned by GICP: the alignment is better if they are smoothed first.
 #include <pcl_normal_smoothing/normal_smoothing.h>
 
 #include <pcl/common/transforms.h>
@@ -35,7 +35,7 @@ smooth (const Cloud::ConstPtr& scan)
   return smoothed;
 }
 
-/** \return how far the alignment leaves the corners of the square from where they belong, root mean square */
+/** \return root mean square distance of the square's corners, after alignment, from where they belong */
 double
 alignmentError (const Cloud::ConstPtr& source, const Cloud::ConstPtr& target, const Eigen::Affine3f& motion)
 {

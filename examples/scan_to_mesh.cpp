@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a raw scan to a mesh: smooth, take the normals that come with it, triangulate greedily. doc/tutorial.md explains
+// From a raw scan to a mesh: smoothing, which also gives normals, then greedy triangulation. doc/tutorial.md explains
 // it. usage: scan_to_mesh [scan.pcd|ply mesh.ply]; without files: a scan of waves, whose mesh is judged
 #include <pcl_normal_smoothing/normal_smoothing.h>
 #include <pcl_normal_smoothing/surface_noise_estimation.h>
@@ -35,7 +35,7 @@ smooth (const Cloud::ConstPtr& scan)
   pcl_normal_smoothing::NormalSmoothing<PointT> smoothing;
   smoothing.setInputCloud (scan);
   smoothing.filter (*smoothed);
-  // A normal has two sides: the one that the scanner saw.
+  // The sign of a normal is arbitrary: turn it towards the scanner.
   for (PointT& point : *smoothed)
     pcl::flipNormalTowardsViewpoint (point, scan->sensor_origin_.x (), scan->sensor_origin_.y (),
                                      scan->sensor_origin_.z (), point.normal_x, point.normal_y, point.normal_z);
@@ -56,7 +56,7 @@ triangulate (const Cloud::ConstPtr& cloud, double radius)
   return mesh;
 }
 
-/** A scan of z = 0.1 sin 4x cos 4y from above, about every 0.02, with noise of 0.004. */
+/** A scan of z = 0.1 sin 4x cos 4y from above, with a point about every 0.02 and noise of 0.004. */
 Cloud::Ptr
 makeScan ()
 {
@@ -96,8 +96,8 @@ meanAngle (const pcl::PolygonMesh& mesh, const Cloud& cloud)
 int
 meshFile (const std::string& scan_file, const std::string& mesh_file)
 {
-  pcl::PointCloud<pcl::PointXYZ> loaded;      // the normals are those of the smoothed points
-  if (pcl::io::load (scan_file, loaded) != 0) // which says what is wrong
+  pcl::PointCloud<pcl::PointXYZ> loaded;      // without normals: smoothing gives them
+  if (pcl::io::load (scan_file, loaded) != 0) // it has printed what is wrong
     return 1;
   auto scan = pcl::make_shared<Cloud> ();
   pcl::copyPointCloud (loaded, *scan);
@@ -113,7 +113,7 @@ main (int argc, char** argv)
     return meshFile (argv[1], argv[2]);
   const Cloud::ConstPtr scan = makeScan (), smoothed = smooth (scan);
   const double radius = longest_edge * spacingOf (scan);
-  auto noisy = pcl::make_shared<Cloud> (*smoothed); // the same normals, so that the points are all that differs
+  auto noisy = pcl::make_shared<Cloud> (*smoothed); // the same normals, so that only the positions differ
   for (std::size_t i = 0; i < scan->size (); ++i)
     (*noisy)[i].getVector3fMap () = (*scan)[i].getVector3fMap ();
   const pcl::PolygonMesh before = triangulate (noisy, radius), after = triangulate (smoothed, radius);

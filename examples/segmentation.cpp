@@ -30,7 +30,7 @@ makeCorner ()
   return corner;
 }
 
-/** \return share of the points that lie in the largest region of their side */
+/** \return share of the points that are in the largest region of their side */
 double
 shareFound (const Cloud::ConstPtr& cloud)
 {
@@ -56,7 +56,7 @@ shareFound (const Cloud::ConstPtr& cloud)
     std::size_t of_side[3] = {};
     for (const auto i : region.indices)
       ++of_side[static_cast<std::size_t> (i) / side_size];
-    const auto side = std::max_element (of_side, of_side + 3) - of_side; // what else is in the region is lost
+    const auto side = std::max_element (of_side, of_side + 3) - of_side; // points of other sides in it do not count
     found[side] = std::max (found[side], of_side[side]);
   }
   return static_cast<double> (found[0] + found[1] + found[2]) / static_cast<double> (cloud->size ());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The three stages one by one over a neighbour graph that is searched once: a plugin's own NormalSmoothing.
+// The three stages one by one, on a neighbour graph that is built once: for a NormalSmoothing of your own.
 #include <pcl_normal_smoothing/bilateral_normal_filter.h>
 #include <pcl_normal_smoothing/neighbor_graph.h>
 #include <pcl_normal_smoothing/normal_guided_point_update.h>
@@ -36,7 +36,7 @@ meanDistanceToEdge (const Cloud& cloud)
   return sum / static_cast<double> (cloud.size ());
 }
 
-/** Estimates, filters and updates with the same neighbourhoods; empty where a stage fails. */
+/** Estimates, filters and updates with the same neighbourhoods; empty if a stage fails. */
 Cloud
 smoothInStages (const Cloud::ConstPtr& cloud)
 {

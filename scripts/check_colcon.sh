@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the package (package.xml, plain cmake) by colcon in a workspace, with Debian's colcon, and a program against it.
+# Builds the package (package.xml, plain cmake) in a colcon workspace with Debian's colcon, and a program that uses it.
 # usage: scripts/check_colcon.sh
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -35,7 +35,7 @@ END
 echo 'install(TARGETS smooth_cloud)' >>"$workspace/src/consumer/CMakeLists.txt"
 
 cd "$workspace"
-export PATH=/usr/bin:$PATH # Debian's Python, which its colcon belongs to
+export PATH=/usr/bin:$PATH # Debian's Python, for which its colcon is made
 colcon build --executor sequential \
   --cmake-args -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DBUILD_EXAMPLES=OFF
 set +u

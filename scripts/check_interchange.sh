@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the tools write must open in CloudCompare, MeshLab and Open3D, Debian's packages, and each tool must read what those
-# write. Prints a line for each, those of doc/interchange.md.
+# What the tools write must open in CloudCompare, MeshLab and Open3D (Debian's packages), and each tool must read what
+# they write. Prints one line per case, which doc/interchange.md repeats.
 # usage: scripts/check_interchange.sh
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs what README.md says of building, packaging and installing as it stands there, in a fresh copy of the sources, and
-# removes what it installed. The other commands of the README are run by the tests.
+# Runs the commands of README.md for building, packaging and installing literally, in a fresh copy of the sources, and
+# removes what they installed. The other commands of the README are run by the tests.
 # usage: scripts/check_readme.sh        as root: it installs packages
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -10,7 +10,7 @@ trap 'rm -rf "$work"' EXIT
 git -C "$root" archive --prefix=sources/ HEAD | tar -x -C "$work"
 cd "$work/sources"
 mkdir "$work/home"
-# commands <heading>: those of the section of that name
+# commands <heading>: prints the commands of the section of that name
 commands () { awk -v heading="## $1" '/^## / { here = $0 == heading } /^```/ { on = here && /^```sh/; next } on' README.md |
   sed -E 's/ +#.*//'; }
 

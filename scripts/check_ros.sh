@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds the ROS 1 nodelet (ros/) with Debian's ROS and runs it: a cloud that is published must come back smoothed, with all
-# its fields, its frame and its stamp. Debian has no ROS 2: of what doc/ros.md says of it, that it compiles is tried with the
-# messages and conversions of ROS 1, which have the same members.
+# Builds the ROS 1 nodelet (ros/) with Debian's ROS and runs it: a published cloud must come back smoothed, with all its
+# fields, its frame and its stamp. Debian has no ROS 2: the ROS 2 code in doc/ros.md is only compiled, with the messages
+# and conversions of ROS 1, which have the same members.
 # usage: scripts/check_ros.sh
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -22,7 +22,7 @@ install_packages \
   "python3-numpy|its clouds" \
   "pkg-config|the flags of a node of ROS 2"
 
-export PATH=/usr/bin:$PATH # Debian's Python, which its ROS belongs to
+export PATH=/usr/bin:$PATH # Debian's Python, for which its ROS is made
 cmake -S "$root" -B "$build/library" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DBUILD_TOOLS=OFF \
   -DBUILD_EXAMPLES=OFF -DCMAKE_INSTALL_PREFIX="$build/install"
 cmake --build "$build/library" --parallel "$(nproc)" --target install

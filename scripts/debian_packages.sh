@@ -2,7 +2,7 @@
 # Sourced by the scripts that install packages.
 
 # install_packages "package|what it is for"...
-# Installs what this machine lacks. Does nothing, and needs no network, where everything is there.
+# Installs what this machine lacks. Does nothing, and needs no network, if nothing is missing.
 install_packages ()
 {
   local line missing=()

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs from Debian's packages what the build needs and this machine lacks. Does nothing, and needs no network, where
-# everything is there.
+# Installs from Debian's packages what the build needs and this machine lacks. Does nothing, and needs no network, if
+# nothing is missing.
 set -euo pipefail
 # shellcheck source=scripts/debian_packages.sh
 . "$(dirname "${BASH_SOURCE[0]}")/debian_packages.sh"

@@ -16,7 +16,7 @@ SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct 2>/d
 export SOURCE_DATE_EPOCH
 umask 022
 
-# Debian's libraries are found without a path in the program.
+# In Debian's folders, libraries are found without an RPATH.
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
   -DCMAKE_SKIP_INSTALL_RPATH=ON -DBUILD_TESTING=OFF -DBUILD_EXAMPLES=OFF
 cmake --build "$build" --parallel "${JOBS:-$(nproc)}"

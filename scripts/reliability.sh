@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The long runs behind doc/reliability.md, some hours on two cores: sanitizers, fuzzing, damaged files, faults, load,
-# coverage, mutations. Prints a line for each at the end.
+# coverage, mutations. Prints one line for each at the end.
 # usage: scripts/reliability.sh [sanitizers|fuzz|hostile|faults|load|coverage|mutations]...      default: all
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

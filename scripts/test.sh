@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs every test, those of the study in evaluation/ included.
+# Installs what is missing, builds, and runs every test, including those of the study in evaluation/.
 # usage: scripts/test.sh [ctest option]...        for example -R smoothing
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

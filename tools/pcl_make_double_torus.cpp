@@ -40,7 +40,7 @@ class MakeDoubleTorusTool : public tools::Tool
   }
 
   bool is_round_ = false;
-  std::size_t vertices_ = 4350; // as many as the paper's has
+  std::size_t vertices_ = 4350; // as in the paper
 };
 } // namespace
 

@@ -10,7 +10,7 @@ using namespace pcl_normal_smoothing;
 namespace
 {
 constexpr int standard_k = 15;
-constexpr int least_k = 4; // itself is left out
+constexpr int least_k = 4; // the point itself is left out
 
 class WPCANormalEstimationTool : public tools::Tool
 {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hands clouds and meshes to and fro between this project's tools and CloudCompare, MeshLab and Open3D.
+"""Passes clouds and meshes back and forth between this project's tools and CloudCompare, MeshLab and Open3D.
 
-usage: interchange.py <folder of the tools>        exit status 0 where all is as expected"""
+usage: interchange.py <folder of the tools>        exit status 0 if all is as expected"""
 
 import os
 import subprocess
@@ -11,9 +11,9 @@ import tempfile
 import numpy
 import open3d
 
-# Of a cloud with all of them, what the others take: CloudCompare's command line takes the scalars that it knows by their
-# names (its window asks about the rest) and packs normals into 21 bits, meshlabserver knows of one scalar, and reads an
-# intensity as a grey in place of the colours: it is given a cloud without.
+# Which of all fields the other programs keep: CloudCompare's command line takes the scalars whose names it knows (its
+# window asks about the rest) and packs normals into 21 bits; meshlabserver has one scalar, and reads an intensity as
+# grey in place of the colours, so it is given a cloud without.
 ALL = {"normals", "colors", "intensity", "scalar_height", "quality", "label"}
 EXPECTED = {"CloudCompare": {"normals", "colors", "intensity", "scalar_height"}, "MeshLab": {"normals", "colors", "quality"},
             "Open3D": ALL}  # fmt: skip
@@ -23,7 +23,7 @@ failures = []
 
 
 def run(*words):
-    """What the program printed. A failure ends this program."""
+    """Runs a program and returns what it printed. A failure ends this script."""
     done = subprocess.run(list(map(str, words)), capture_output=True, text=True, timeout=300, check=False)
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, words))}: status {done.returncode}\n{done.stdout}{done.stderr}")
@@ -55,13 +55,13 @@ def write_input(path, without=()):
 
 
 def attributes(path):
-    """Of every name an array; positions among them. Read by Open3D, which takes all there are."""
+    """An array per attribute, by name, including positions. Read by Open3D, which takes all of them."""
     cloud = open3d.t.io.read_point_cloud(path)
     return {name: cloud.point[name].numpy() for name in cloud.point}
 
 
 def difference(expected, got, names, normal_error=1e-4):
-    """What is wrong with the attributes that should be there, or None. Programs call a scalar by names of their own."""
+    """What is wrong with the attributes that should be there, or None. Programs have their own names for a scalar."""
     if len(got.get("positions", ())) != len(expected["positions"]):
         return f"{len(got.get('positions', ()))} points of {len(expected['positions'])}"
     for name in ["positions", *sorted(names)]:
@@ -100,7 +100,7 @@ PROGRAMS = {
 
 
 def check_outputs(tools, folder):
-    """\\return for every program the files that it wrote"""
+    """Returns the files that each program wrote."""
     written = {name: [] for name in PROGRAMS}
     for extension, kinds in (("ply", ("ascii", "binary")), ("pcd", ("ascii", "binary", "compressed"))):
         for kind in kinds:
@@ -128,7 +128,7 @@ def check_outputs(tools, folder):
 
 
 def check_inputs(tools, written, folder):
-    """Each tool reads what the programs wrote, and loses nothing of it."""
+    """Each tool must read what the programs wrote without losing anything."""
     commands = [("pcl_normal_smoothing",), ("pcl_wpca_normal_estimation",), ("pcl_hough_normal_estimation",),
                 ("pcl_bilateral_normal_filter",), ("pcl_normal_guided_point_update",)]  # fmt: skip
     for name, files in written.items():
@@ -150,7 +150,7 @@ def check_inputs(tools, written, folder):
 
 
 def check_meshes(tools, folder):
-    """The tools that take meshes read those of the programs."""
+    """The tools that take meshes must read those of the programs."""
     torus = os.path.join(folder, "torus.ply")
     run(f"{tools}/pcl_make_double_torus", torus)
     meshes = {"CloudCompare": [], "MeshLab": [], "Open3D": []}

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Which lines of include, src and tools the tests run. Exit status 1 below 95 %.
+# Reports which lines of include, src and tools are run by the tests. Exit status 1 below 95 %.
 # usage: scripts/reliability/coverage.sh      the report: build_coverage/coverage.html
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -14,7 +14,7 @@ cmake --build "$build" --parallel "$(nproc)"
 find "$build" -name '*.gcda' -delete
 OMP_WAIT_POLICY=passive ctest --test-dir "$build" --output-on-failure --no-tests=error \
   --exclude-regex 'package|consumer|readme|hostile_files|soak|faults'
-# A kernel counts where one instruction set ran it: others are for other machines.
+# A line of a kernel counts if one instruction set ran it: others are for other machines.
 gcovr --root "$root" --object-directory "$build" --filter "$root/include/" --filter "$root/src/" --filter "$root/tools/" \
   --exclude-throw-branches --gcov-ignore-parse-errors -j "$(nproc)" \
   --html-details "$build/coverage.html" --txt "$build/coverage.txt" --print-summary --fail-under-line 95

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What befalls a tool while it runs: killed, a full disk, no rights, no memory, a file that goes away.
+# Tests what may befall a running tool: it is killed, the disk is full, it lacks rights or memory, a file vanishes.
 # usage: scripts/reliability/faults.sh [folder of the tools] [kills]      default: build/tools, 200 kills
-# Exit status 1 where a promise of doc/reliability.md does not hold.
+# Exit status 1 if a promise of doc/reliability.md does not hold.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 tools=$(cd "${1:-$root/build/tools}" && pwd)
@@ -27,7 +27,7 @@ check ()
   if "$@"; then report ok "$name"; else report FAIL "$name: $(head -c 300 err 2>/dev/null)"; fi
 }
 
-# as_before: only the files that were there, with their content
+# as_before: checks that there are the same files as before, with the same content
 as_before ()
 {
   [ "$(checksums)" = "$before" ]
@@ -38,7 +38,7 @@ checksums ()
   find . -type f ! -name err ! -name out -exec md5sum {} + | sort -k 2
 }
 
-# run STATUS COMMAND...: the status that it must end with
+# run STATUS COMMAND...: the command must end with that status
 run ()
 {
   local expected=$1 status
@@ -74,7 +74,7 @@ seconds ()
   awk -v seed=$RANDOM -v a="$1" -v b="$2" 'BEGIN {srand (seed); print a + (b - a) * rand ()}'
 }
 
-# Killed without warning at random moments, two of three while it writes: the output is the old file or the new one.
+# The tool is killed at random moments, two times in three while it writes: the output is the old file or the new one.
 killed ()
 {
   local i pid wrong=0 old=0 new=0 writing=0
@@ -108,7 +108,7 @@ interrupted ()
 {
   local signal status
   for signal in INT:130 TERM:143; do
-    # A shell starts what is in the background with SIGINT ignored; setsid does not undo that, env does.
+    # A shell starts background processes with SIGINT ignored; setsid does not undo that, env does.
     env --default-signal=INT "$smooth" cloud.pcd target.pcd -update paper -point_iterations 1000000 >out 2>err &
     sleep 0.7
     kill "-${signal%:*}" $!
@@ -144,7 +144,7 @@ read_only ()
   local as_user=()
   mkdir locked
   chmod 555 locked
-  if [ "$(id -u)" -eq 0 ]; then # who may do all must become somebody else
+  if [ "$(id -u)" -eq 0 ]; then # root may write anywhere: run as another user
     as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
     chmod 755 "$folder"
     chmod a+r ./*.pcd
@@ -211,14 +211,14 @@ closed_streams ()
   rm -f target.pcd
 }
 
-# Less and less memory, from what is enough on: done, or status 2 or 3 with a message and nothing written.
+# Less and less memory, starting with enough: success, or status 2 or 3 with a message and nothing written.
 no_memory ()
 {
   local limit status wrong=0 refused=0
   for ((limit = 1000000; limit > 50000; limit = limit * 97 / 100)); do
     (ulimit -v $limit; exec "$smooth" large.pcd target.pcd -preset fast -format ascii -threads 1) >out 2>err
     status=$?
-    [ $status -ne 127 ] || break # the libraries alone do not fit
+    [ $status -ne 127 ] || break # not even the libraries fit
     if [ $status -eq 0 ]; then
       cmp -s target.pcd large_complete.pcd || wrong=$((wrong + 1))
     elif [ $status -eq 2 ] || [ $status -eq 3 ]; then

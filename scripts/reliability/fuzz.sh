@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Fuzzes the loading path of the tools, clouds and meshes, a format after the other, from the corpus in fuzz/corpus.
-# usage: scripts/reliability/fuzz.sh [seconds a format]      default 300
-# What is found lands in build_fuzz/; exit status 1 where there is anything.
+# Fuzzes how the tools load clouds and meshes, one format after the other, starting from the corpus in fuzz/corpus.
+# usage: scripts/reliability/fuzz.sh [seconds per format]      default 300
+# Findings are written to build_fuzz/; exit status 1 if there are any.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 # shellcheck source=scripts/debian_packages.sh
@@ -15,7 +15,7 @@ cmake -S "$root" --preset fuzz
 cmake --build "$build" --parallel "$(nproc)" --target fuzz/all
 
 status=0
-# The targets have an operator new of their own, and what other libraries allocate passes it by.
+# The targets define their own operator new, which other libraries' allocations bypass.
 export ASAN_OPTIONS=alloc_dealloc_mismatch=0
 for target in cloud_pcd cloud_ply mesh_off mesh_obj mesh_ply mesh_stl; do
   mkdir -p "$build/found_$target"

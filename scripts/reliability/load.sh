@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Many clouds, many processes, many points.
+# Tests many clouds, many processes, many points.
 # usage: scripts/reliability/load.sh [points] [build directory]      default 32000000; 0 leaves the large cloud out
-# Exit status 1 where a promise of doc/reliability.md does not hold.
+# Exit status 1 if a promise of doc/reliability.md does not hold.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=$(cd "${2:-$root/build}" && pwd)
@@ -21,7 +21,7 @@ processes_at_once ()
   "$build/tools/pcl_make_double_torus" mesh.ply >/dev/null
   "$build/tools/pcl_add_surface_noise" mesh.ply cloud.pcd >/dev/null
   "$build/tools/pcl_normal_smoothing" cloud.pcd expected.pcd -preset fast >/dev/null
-  for ((i = 0; i < 100; ++i)); do # every other one writes the same file
+  for ((i = 0; i < 100; ++i)); do # every other process writes the same file
     "$build/tools/pcl_normal_smoothing" cloud.pcd "out_$((i % 2 * i)).pcd" -preset fast -threads 1 >/dev/null &
     pids+=($!)
   done

@@ -4,7 +4,7 @@
 usage: mutate_files.py <folder of the tools> [--count 5000] [--seed 1] [--keep <folder>]
 
 Every run must end with status 0, 2 or 3 within 10 s and 1 GB of memory: never by a signal, never with a partial output
-file. Exit status 1 where one does not; the files of those are kept."""
+file. Exit status 1 if one does not; the files of such runs are kept."""
 # SPDX-License-Identifier: BSD-3-Clause
 import argparse
 import collections
@@ -49,7 +49,7 @@ def pcd(encoding):
         return header + b"".join(struct.pack("<6fI", *row) for row in rows)
     columns = b"".join(struct.pack("<I" if f == 6 else "<f", row[f]) for f in range(7) for row in rows)
     block = b"".join(bytes([len(columns[i:i + 32]) - 1]) + columns[i:i + 32] for i in range(0, len(columns), 32))
-    return header + struct.pack("<II", len(block), len(columns)) + block  # LZF of literals only
+    return header + struct.pack("<II", len(block), len(columns)) + block  # LZF with literals only
 
 
 def ply(encoding):
@@ -89,7 +89,7 @@ def truncated(data, dice):
 
 
 def lying_header(data, dice):
-    """Another number where the header counts: widths, sizes, elements."""
+    """Replaces counts in the header: of widths, sizes, elements."""
     end = header_end(data)
     numbers = list(re.finditer(rb"(?<![\w.])\d+(?![\w.])", data[:end]))
     if not numbers:
@@ -100,7 +100,7 @@ def lying_header(data, dice):
 
 
 def consistent_lie(data, dice):
-    """All counts of a PCD file agree on what is not there: up to 1 GB and beyond."""
+    """Makes all counts of a PCD file agree on points that are not there: up to 1 GB and beyond."""
     points = dice.choice((197, 70000, 38347922, 268435455, 4294967295))
     for key, value in ((b"WIDTH", points), (b"HEIGHT", 1), (b"POINTS", points), (b"element vertex", points)):
         data = re.sub(rb"(?m)^" + key + rb" \d+", key + b" %d" % value, data, count=1)
@@ -223,7 +223,7 @@ def limits():
 
 
 def is_complete(path):
-    """A PCD file that holds as many bytes as its header says."""
+    """Whether a PCD file holds as many bytes as its header says."""
     data = pathlib.Path(path).read_bytes()
     header = data[:header_end(data)].decode("latin1")
     lines = {line.split()[0]: line.split()[1:] for line in header.splitlines() if line.split()}
@@ -232,7 +232,7 @@ def is_complete(path):
 
 
 def run(tools, command, folder, name):
-    """What is wrong with how the tool ended; nothing where all is well."""
+    """What is wrong with how the tool ended; nothing if all is well."""
     output = os.path.join(folder, "out.pcd")
     places = {"IN": os.path.join(folder, name), "OUT": output, "GOOD": os.path.join(folder, "good.pcd")}
     words = [os.path.join(tools, command[0])] + [places.get(word, word) for word in command[1:]]
@@ -241,7 +241,7 @@ def run(tools, command, folder, name):
         ended = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, timeout=SECONDS,
                                preexec_fn=limits, check=False)
     except subprocess.TimeoutExpired:
-        for file in set(os.listdir(folder)) - before: # the next run must not take them for its own
+        for file in set(os.listdir(folder)) - before: # or the next run would take them for its own
             os.remove(os.path.join(folder, file))
         return None, f"took more than {SECONDS} s"
     left = set(os.listdir(folder)) - before

@@ -5,7 +5,7 @@ CORE = "src/core/"
 TILES = "tools/tiles/"
 HEADERS = "include/pcl_normal_smoothing/"
 
-# name, file, what stands there, what is put in its place
+# name, file, the code to replace, its replacement
 MUTATIONS = [
     ("lines: what is between them is noise", CORE + "noise/noise_of_sample.cpp",
      "noise.sigma = std::min (noise.sigma, widening.lines.most_sigma);", ""),

@@ -5,7 +5,7 @@ usage: mutations.py [--only <part of a name>] [--jobs 2]
        mutations.py --check          only whether the code to break is there
 
 Works on a copy of the last commit, in build_mutations/. Prints a row for each break: what it is, which test noticed. Exit
-status 1 where none did, or where the code to break is no longer there."""
+status 1 if none did, or if the code to break is no longer there."""
 # SPDX-License-Identifier: BSD-3-Clause
 import argparse
 import os
@@ -36,7 +36,7 @@ def prepare(jobs):
 
 
 def failure_of(test, jobs):
-    """Which test of a program fails, of as many parts at once as there are jobs; nothing where all pass."""
+    """Which test of a program fails, run in as many parallel parts as there are jobs; nothing if all pass."""
     program = os.path.join(BUILD, "test", "" if test in LIBRARY_TESTS else "tools", test)
     parts = [subprocess.Popen([program, "--gtest_brief=1", "--gtest_fail_fast"], stdout=subprocess.PIPE, text=True,
                               stderr=subprocess.DEVNULL, start_new_session=True,
@@ -58,7 +58,7 @@ def failure_of(test, jobs):
 
 
 def noticed_by(tests, jobs):
-    """The first test that fails; nothing where all pass."""
+    """The first test that fails; nothing if all pass."""
     built = call(["cmake", "--build", BUILD, "--parallel", jobs, "--target", *tests])
     if built.returncode != 0:
         return "does not compile"
@@ -66,7 +66,7 @@ def noticed_by(tests, jobs):
 
 
 def tests_for(file):
-    """Those that are likely to notice come first."""
+    """The tests, those that are likely to notice first."""
     if file.startswith(TILES):
         return ["test_tiles"]
     if file.startswith("tools/"):
@@ -92,7 +92,7 @@ def try_out(mutation, jobs):
 
 
 def check():
-    """Whether the code to break stands where the list says, and nowhere else in that file."""
+    """Checks that the code to break occurs where the list says, and only once in that file."""
     status = 0
     for name, file, old, _ in MUTATIONS:
         with open(os.path.join(ROOT, file), encoding="utf-8") as source:

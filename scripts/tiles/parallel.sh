@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Smooths files in tiles on this machine, several tiles at once by GNU parallel. Run again, it goes on where it was interrupted.
+# Smooths files in tiles on this machine, several at once by GNU parallel. If run again, it continues where it stopped.
 # usage: scripts/tiles/parallel.sh folder output_folder jobs file.pcd|ply... [option of plan]...
-# The tool is pcl_normal_smoothing_tiles, or what TILES_TOOL says. A job has one thread, or TILES_THREADS; -memory is for a job.
+# The tool is pcl_normal_smoothing_tiles, or TILES_TOOL. A job has one thread, or TILES_THREADS; -memory is per job.
 set -euo pipefail
 if [ $# -lt 4 ]; then
   sed -n '2,4s/^# //p' "$0" >&2
@@ -12,7 +12,7 @@ folder=$1 output=$2 jobs=$3
 shift 3
 
 "$tool" plan "$folder" "$@"
-# What failed is tried once more; the exit status tells of what fails again.
+# A tile that fails is tried once more; the exit status reports those that fail again.
 "$tool" list "$folder" |
   parallel --will-cite --jobs "$jobs" --retries 2 "$tool" run "$folder" -tile {} -threads "${TILES_THREADS:-1}"
 "$tool" merge "$folder" -output_dir "$output"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Smooths files in tiles under Slurm: a job for plan, an array of jobs for run, a job for merge, each after the one before.
-# Submitted again, whatever became of it, only what is missing is done.
+# Smooths files in tiles under Slurm: a job for plan, then an array of jobs for run, then a job for merge.
+# If submitted again, whatever became of the jobs before, only what is missing is done.
 # usage: scripts/tiles/slurm.sh folder output_folder jobs file.pcd|ply... [option of plan]...
-# The array has as many jobs; every one takes each so-manieth tile. All of it lies on a disk that every node sees.
-# The tool is pcl_normal_smoothing_tiles, or what TILES_TOOL says. What jobs need is said in SBATCH_PLAN, SBATCH_RUN and
+# jobs is the size N of the array; each job takes every N-th tile. All files must lie on a disk that every node sees.
+# The tool is pcl_normal_smoothing_tiles, or TILES_TOOL. Resources of the jobs are set by SBATCH_PLAN, SBATCH_RUN and
 # SBATCH_MERGE, for example SBATCH_RUN="--mem=4G --cpus-per-task=2 --time=2:00:00"; give plan the same -memory.
 # Prints the numbers of the three jobs.
 set -euo pipefail
@@ -15,7 +15,7 @@ tool=$(command -v "${TILES_TOOL:-pcl_normal_smoothing_tiles}")
 folder=$(realpath -m "$1") output=$(realpath -m "$2") jobs=$3
 shift 3
 
-words () # as a shell reads them back
+words () # quoted, so that a shell can read them back
 {
   printf '%q ' "$@"
 }

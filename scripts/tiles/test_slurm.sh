@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs slurm.sh for real, and parallel.sh: slurmctld and slurmd of Debian's packages on this machine, with 16 slots, and a munge with a
-# key of its own; nothing of it stays. As root. Exit status 1 where a tile is lost, or the result differs from the whole cloud's.
+# Runs slurm.sh under a real Slurm on this machine (Debian's slurmctld and slurmd, 16 slots, munge with its own key) and
+# parallel.sh; leaves nothing behind. As root. Exit status 1 if a tile is lost, or the result is not the whole cloud's.
 # usage: scripts/tiles/test_slurm.sh [folder of the tools] [points]      default: build/tools, 200000
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -102,7 +102,7 @@ submit () # FOLDER [largest tile]
   "$root/scripts/tiles/slurm.sh" "$1" "$1.out" 8 cloud.pcd -max_points "${2:-$((points / 20))}" -preset fast
 }
 
-# The number of the process that runs a tile of a plan, as soon as there is one.
+# Prints the id of the process that runs a tile of a plan, as soon as there is one.
 running_job () # FOLDER
 {
   for _ in $(seq 600); do
@@ -112,7 +112,7 @@ running_job () # FOLDER
   return 1
 }
 
-# Numbers of tiles whose result is not as old as it was.
+# Prints the files of results that are newer than the file "before".
 changed_results ()
 {
   for result in tiles.d/*.result; do
@@ -159,10 +159,10 @@ submit killed.d >/dev/null
 wait_for_jobs
 check "the same command completes it" cmp whole.pcd killed.d.out/cloud.pcd
 
-# A node loses its power with all that runs on it, and comes back: its jobs are put back into the queue.
+# A node loses power, with everything that runs on it, and comes back: its jobs are put back into the queue.
 submit lost.d >/dev/null
 victim=$(running_job lost.d)
-steps=$(pgrep -P "$slurmd") # before they lose their parent
+steps=$(pgrep -P "$slurmd") # while slurmd is still their parent
 kill -9 "$slurmd"
 [ -z "$steps" ] || xargs kill -9 2>/dev/null <<< "$steps"
 kill -9 "$victim" 2>/dev/null
@@ -174,7 +174,7 @@ start_node
 wait_for_jobs
 check "the node is back: its jobs run again, to the byte" cmp whole.pcd lost.d.out/cloud.pcd
 
-# Tiles that need more memory than their jobs may have; given more, they go on where they were.
+# Tiles that need more memory than their jobs may have; given more, the jobs continue where they were.
 large=$((points * 5))
 "$tools/../test/reliability/large_cloud" large.pcd "$large"
 "$tools/pcl_normal_smoothing" large.pcd whole_large.pcd -preset fast >/dev/null || exit 1

@@ -97,7 +97,7 @@ CloudFile
 loadInput (const std::string& path)
 {
   CloudFile file = loadCloud (path);
-  positionsOf (file); // refuses a cloud without
+  positionsOf (file); // throws if there are none
   if (file.faces > 0)
     note (path + ": " + counted (file.faces, "face is", "faces are") + " ignored, its vertices are the cloud");
   return file;

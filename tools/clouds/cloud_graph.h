@@ -18,23 +18,24 @@ struct CloudGraph
   core::Positions nodes; // in the order of the graph
 };
 
-/** The fields x y z. \throw core::Error where the cloud is empty or has none that are all float or all double */
+/** The fields x y z. \throw core::Error if the cloud is empty, or they are missing or not all float or all double */
 VectorView
 positionsOf (const CloudFile& file);
 
-/** Where the fields x y z are. \throw core::Error where there are none that are all float or all double */
+/** Layout of the fields x y z. \throw core::Error if they are missing or not all float or all double */
 VectorLayout
 positionLayoutOf (const CloudFile& file);
 
-/** The fields normal_x normal_y normal_z.
-  * \param[in] advice what to do where there are none that are all float or all double \throw core::Error then */
+/** Layout of the fields normal_x normal_y normal_z.
+  * \param[in] advice what to do about the error
+  * \throw core::Error if they are missing or not all float or all double */
 VectorLayout
 normalLayoutOf (const CloudFile& file, const std::string& advice);
 
-/** What a tool that reads normals says where there are none. */
+/** Advice of a tool that reads normals, if there are none. */
 extern const char* const normals_advice;
 
-/** A note where there are fewer finite points than k. \throw core::Error where there are fewer than 3 */
+/** Prints a note if there are fewer finite points than k. \throw core::Error if there are fewer than 3 */
 void
 checkPointCount (std::size_t finite_points, std::size_t k);
 
@@ -42,23 +43,23 @@ checkPointCount (std::size_t finite_points, std::size_t k);
 CloudGraph
 searchNeighbors (const CloudFile& file, const core::NeighborQuery& query, const core::Execution& execution);
 
-/** The noise that the neighbourhoods of a cloud show, in its unit: what SurfaceNoiseEstimation tells. */
+/** Estimates the noise of a cloud from its neighbourhoods, in its unit, as SurfaceNoiseEstimation does. */
 core::NoiseEstimate
 estimateNoise (const CloudFile& file, const core::Execution& execution);
 
-/** What hides the noise, for people; empty for nothing. */
+/** Describes in words what hides the noise; empty for NOTHING. */
 std::string
 textOf (core::NoiseHiddenBy hidden_by);
 
-/** Adds the fields of normals that are missing, normal_x normal_y normal_z and \a more, with NaN. */
+/** Adds those of the fields normal_x normal_y normal_z and \a more that are missing, with NaN. */
 void
 addNormalFields (CloudFile& file, const std::vector<std::string>& more = {});
 
-/** Loads a cloud, and says what of the file is left out. \throw core::Error where it has no positions */
+/** Loads a cloud, and prints a note if it ignores faces. \throw core::Error if it has no positions */
 CloudFile
 loadInput (const std::string& path);
 
-/** Saves the result, and says so. */
+/** Saves the result, and prints its path and size. */
 void
 saveResult (const CloudFile& file, const std::string& path, FileFormat format);
 } // namespace tools

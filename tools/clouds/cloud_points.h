@@ -12,17 +12,17 @@ namespace tools
 {
 using Points = std::vector<Eigen::Vector3d>;
 
-/** The points of a cloud that stand for the vertices of a mesh.
-  * \throw core::Error where their numbers differ, or a point is not finite */
+/** The points of a cloud in which point i is vertex i of a mesh.
+  * \throw core::Error if their numbers differ, or a point is not finite */
 Points
 verticesOf (const CloudFile& file, const Mesh& mesh);
 
-/** The points of a cloud that are finite, in their order.
-  * \throw core::Error where there are none */
+/** The finite points of a cloud, in their order.
+  * \throw core::Error if there are none */
 Points
 finitePointsOf (const CloudFile& file);
 
-/** The normals of a cloud, zero where one is not finite; nothing where it has no fields of normals. */
+/** The normals of a cloud, with zero for those that are not finite; empty if it has no fields of normals. */
 std::optional<Points>
 normalsOf (const CloudFile& file);
 } // namespace tools

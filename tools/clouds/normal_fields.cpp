@@ -17,7 +17,7 @@ namespace tools
 {
 namespace
 {
-/** Stores a number as the type that its field has. */
+/** Stores a number in a field of type float or double. */
 void
 store (const pcl::PCLPointField& field, double number, std::uint8_t* point)
 {

@@ -9,15 +9,15 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Writes normals and surface variations to the fields normal_x normal_y normal_z curvature, which are added where they
-  * are missing. Normals point to the sensor's origin, as those of pcl::NormalEstimation do. A point without a surface
-  * gets NaN.
-  * \param[in] surfaces one a node of \a graph
-  * \throw core::Error where none has one */
+/** Writes normals and surface variations to the fields normal_x normal_y normal_z curvature, which are added if
+  * missing. Normals are turned towards the sensor's origin, as by pcl::NormalEstimation. A point without a surface gets
+  * NaN.
+  * \param[in] surfaces one per node of \a graph
+  * \throw core::Error if no node has a surface, or an existing field has an unsuitable type */
 void
 writeSurfaces (const core::NeighborGraph& graph, const std::vector<core::LocalSurface>& surfaces, CloudFile& file);
 
-/** The normals of the cloud's fields, by the nodes of \a graph. \throw core::Error where no node has one */
+/** Reads the normals of the cloud, one per node of \a graph. \throw core::Error if no node has one */
 core::Vectors
 loadNormals (const core::NeighborGraph& graph, const VectorLayout& normals, const CloudFile& file);
 } // namespace tools

@@ -16,7 +16,7 @@ namespace tools
 void
 addSeedOption (Options& options, const std::string& standard, const std::function<void (std::uint64_t)>& use);
 
-/** -threads \param[out] threads 0 = all cores; refers to it until the options are parsed */
+/** -threads \param[out] threads 0 = all cores; must stay valid until the options are parsed */
 void
 addThreadsOption (Options& options, unsigned& threads);
 
@@ -28,14 +28,14 @@ struct SearchOptions
   double max_radius = 0;
   unsigned threads = 0;
 
-  /** \param[in] standard_k for the help
-    * \param[in] least_k refused below
-    * \param[in] more that the help has to say of the least */
+  /** \param[in] standard_k default, for the help
+    * \param[in] least_k smallest value that is accepted
+    * \param[in] more what the help adds about the smallest value */
   void
   addTo (Options& options, const std::string& standard_k, int least_k = 3, const std::string& more = "");
 
-  /** \param[in] standard_k where neither k nor a radius was given
-    * \throw UsageError where both were */
+  /** \param[in] standard_k used if neither k nor a radius was given
+    * \throw UsageError if both were */
   core::NeighborQuery
   query (int standard_k) const;
 };

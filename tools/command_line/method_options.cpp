@@ -45,7 +45,7 @@ textOf (int number)
   return std::to_string (number);
 }
 
-/** -max_displacement of the rounds, or of the chain. */
+/** Default of -max_displacement in the rounds, or in the chain. */
 std::string
 limitOf (const core::SmoothingOptions& method)
 {
@@ -68,7 +68,7 @@ lengthOrNone (float length)
   return std::isfinite (length) ? textOf (length) : no_length;
 }
 
-/** A text for the default preset, and those of the others and of the paper's chain where they differ. */
+/** The text for the default preset, then those for the other presets and the paper's chain if they differ. */
 std::string
 ofPresets (const std::function<std::string (const MethodSettings&)>& text)
 {
@@ -87,7 +87,7 @@ ofPresets (const std::function<std::string (const MethodSettings&)>& text)
   return all;
 }
 
-/** The Standard of the presets. */
+/** A Standard that lists the defaults of the presets. */
 std::string
 presetStandard (const std::function<std::string (const core::SmoothingOptions&)>& text)
 {

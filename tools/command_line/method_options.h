@@ -9,14 +9,14 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Parameters without the class that smooths by them. */
+/** The settings alone, without a class that smooths by them. */
 class MethodSettings : public SmoothingSettings
 {};
 
-/** What holds without an option: the text for the help, from a text for a set of parameters. */
+/** The default of an option, as text for the help. Its argument gives the text for one set of parameters. */
 using Standard = std::function<std::string (const std::function<std::string (const core::SmoothingOptions&)>&)>;
 
-/** That of settings as they are now. */
+/** The defaults are the current values of \a settings. */
 Standard
 standardOf (const SmoothingSettings& settings);
 
@@ -28,7 +28,7 @@ addFilterOptions (Options& options, const Standard& standard, SmoothingSettings&
 void
 addUpdateOptions (Options& options, const Standard& standard, SmoothingSettings& settings);
 
-/** -point_iterations -max_displacement \param[in] iterations what the first one counts, for the help */
+/** -point_iterations -max_displacement \param[in] iterations what -point_iterations counts, for the help */
 void
 addMotionOptions (Options& options,
                   const std::string& iterations,
@@ -43,8 +43,8 @@ addNoiseOptions (Options& options, SmoothingSettings& settings);
 void
 addWideningOption (Options& options, SmoothingSettings& settings);
 
-/** \param[in] k that is set; 0 = none
-  * \throw UsageError where an option does not fit the others */
+/** \param[in] k as given; 0 = not given
+  * \throw UsageError if an option contradicts the others */
 void
 checkOptions (const core::SmoothingOptions& method, int k = 0);
 
@@ -59,14 +59,14 @@ addPresetOptions (Options& options, SmoothingSettings& settings);
 void
 addOrientedOption (Options& options, SmoothingSettings& settings);
 
-/** All options of the method but -widen_neighborhoods. \param[in] save_normals told -save_normals */
+/** All options of the method except -widen_neighborhoods. \param[in] save_normals called with -save_normals */
 void
 addMethodOptions (Options& options,
                   SmoothingSettings& settings,
                   SearchOptions& search,
                   const std::function<void (bool)>& save_normals);
 
-/** The parameters that a smoothing used, in one line, as options that give the same smoothing again. */
+/** The parameters that a smoothing used, in one line, as options that reproduce it. */
 std::string
 asOptions (SmoothingPreset preset, const core::SmoothingOptions& used, const SearchOptions& search, int preset_k);
 } // namespace tools

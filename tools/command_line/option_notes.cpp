@@ -11,7 +11,7 @@ namespace tools
 {
 namespace
 {
-/** The options of \a names that were given, one after the other. */
+/** Those of the options \a names that were given, as a list. */
 std::string
 givenOf (const std::vector<std::string>& names, const Options& options)
 {

@@ -9,9 +9,9 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Notes on options that do something else than they seem to: those of the chain that make it run in place of the
-  * rounds, without being told to, those of the rounds where the chain runs, and more neighbours than the rounds use.
-  * \param[in] k that is set; 0 = none */
+/** Prints notes on options whose effect may surprise: those of the chain that make it run in place of the rounds
+  * although nobody chose it, those of the rounds if the chain runs, and more neighbours than the rounds use.
+  * \param[in] k as given; 0 = not given */
 void
 noteSurprises (const Options& options, const core::SmoothingOptions& method, int k);
 } // namespace tools

@@ -26,7 +26,7 @@ shortest (double number)
   return {digits, std::to_chars (digits, digits + sizeof digits, number).ptr};
 }
 
-/** \return NaN where the text is no finite number */
+/** \return NaN if the text is not a finite number */
 double
 finiteNumber (const std::string& text)
 {
@@ -37,7 +37,7 @@ finiteNumber (const std::string& text)
   return valid ? number : std::nan ("");
 }
 
-/** \throw UsageError always, with how numbers are written where \a text begins like one, but is none */
+/** \throw UsageError always; it explains how to write numbers if \a text begins like one, but is not one */
 [[noreturn]] void
 refuseNumber (const std::string& text, const std::string& expected)
 {

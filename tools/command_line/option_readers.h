@@ -11,7 +11,7 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Takes the text behind an option. \throw UsageError that says what would have been right */
+/** Reads the value of an option from its text. \throw UsageError that says what is expected */
 using OptionReader = std::function<void (const std::string& text)>;
 
 /** A whole number from \a least to \a most. */
@@ -34,7 +34,7 @@ switchOption (const std::function<void (bool)>& use);
 template <typename T>
 using Words = std::vector<std::pair<std::string, T>>;
 
-/** One of several words, given by its number. */
+/** One of several words; \a use gets its index. */
 OptionReader
 wordOption (const std::vector<std::string>& words, const std::function<void (std::size_t)>& use);
 

@@ -15,7 +15,7 @@ namespace tools
 {
 namespace
 {
-/** How many letters have to be put in, left out or changed to make one word of the other. */
+/** Number of letters to insert, delete or change to turn one word into the other. */
 std::size_t
 editDistance (const std::string& a, const std::string& b)
 {
@@ -31,9 +31,9 @@ editDistance (const std::string& a, const std::string& b)
   return row.back ();
 }
 
-constexpr std::size_t line_width = 110, most_width = 30; // of a line of the help, and of its column of names
+constexpr std::size_t line_width = 110, most_width = 30; // of a line and of the column of names in the help
 
-/** Prints \a text behind what stands there already, broken between words, each further line indented by \a indent. */
+/** Prints \a text from column \a indent on, where the output already is, and wraps it between words. */
 void
 printWrapped (const std::string& text, std::size_t indent)
 {
@@ -220,7 +220,7 @@ Options::usage (const std::string& tool) const
 void
 Options::printHelp (const std::string& tool) const
 {
-  // The words and blanks by which help2man tells the parts of a man page.
+  // help2man recognises the parts of a man page by these words and blanks.
   const std::string synopsis = "U" + usage (tool).substr (1);
   std::printf ("%s\n\n%s\n\nOptions, before or after the file names:\n", purpose_.c_str (), synopsis.c_str ());
   std::size_t width = 8; // of -version

@@ -20,20 +20,20 @@ class Options
 {
 public:
   /** \param[in] purpose what the tool does, for the help
-    * \param[in] files names of the files that it is given, in order; a last one that ends in "..." stands for any
-    *            number of files, none as well, one in brackets for a file that may be missing */
+    * \param[in] files names for its file arguments, in order; the last may end in "..." for any number of files,
+    *            including none, or be in brackets for an optional file */
   void
   describe (const std::string& purpose, const std::vector<std::string>& files);
 
-  /** The options that are added from now on stand under a heading of their own in the help.
-    * \param[in] heading without its colon; empty: under the first one, with all that belong to no other */
+  /** Begins a section of the help for the options that are added from now on.
+    * \param[in] heading without its colon; empty: the first section, for options that belong to no other */
   void
   section (const std::string& heading);
 
   /** \param[in] name with its dash
-    * \param[in] value what to write in its place in the help
+    * \param[in] value placeholder for its value in the help
     * \param[in] help with the unit, if there is one
-    * \param[in] standard what holds without the option */
+    * \param[in] standard the default, for the help */
   void
   add (const std::string& name,
        const std::string& value,
@@ -41,28 +41,28 @@ public:
        const std::string& standard,
        const OptionReader& reader);
 
-  /** \return false where the help or the version was asked for, and has been printed
-    * \throw UsageError for an unknown option, a missing or bad value, a missing or needless file name */
+  /** \return false if the help or the version was asked for, and has been printed
+    * \throw UsageError for an unknown option, a missing or invalid value, a missing or superfluous file name */
   bool
   parse (int argc, char** argv);
 
-  /** Options that, all together, stand in place of the file names. */
+  /** Names options that, given all together, replace the file names. */
   void
   replaceFilesBy (const std::vector<std::string>& names);
 
-  /** The option was on the command line. */
+  /** Whether the option was on the command line. */
   bool
   given (const std::string& name) const;
 
-  /** The options of the command line, each with its text. */
+  /** The options on the command line, each with the text of its value. */
   std::map<std::string, std::string>
   given () const;
 
-  /** What add() was told to write for the value of an option; empty where there is no such option. */
+  /** The placeholder that add() was given for an option's value; empty if there is no such option. */
   std::string
   valueOf (const std::string& name) const;
 
-  /** A file name of the command line; empty before parse() has found it. */
+  /** File name \a i of the command line; empty if there is none, or before parse(). */
   std::string
   file (std::size_t i) const
   {
@@ -81,7 +81,7 @@ private:
   Option*
   find (const std::string& name);
 
-  /** \throw UsageError always, with the option that was perhaps meant */
+  /** \throw UsageError always; it suggests the option that was perhaps meant */
   [[noreturn]] void
   refuseUnknown (const std::string& word, const std::string& tool) const;
 
@@ -96,11 +96,12 @@ private:
   void
   printOptions (const std::string& section, std::size_t width) const;
 
-  /** \throw UsageError where there are too few or too many file names */
+  /** \throw UsageError if there are too few or too many file names */
   void
   checkFiles (const std::string& tool) const;
 
-  /** \return whether options stand in place of the file names \throw UsageError where only some of them do */
+  /** \return whether options replace the file names
+    * \throw UsageError if only some of them are given, or file names too */
   bool
   filesReplaced (const std::string& tool) const;
 
@@ -108,7 +109,7 @@ private:
   std::vector<std::string> file_roles_;
   std::vector<std::string> files_;
   std::vector<std::string> file_options_;
-  std::string section_; // of the options that are added
+  std::string section_; // for the options to be added
   std::vector<Option> options_;
 };
 } // namespace tools

@@ -38,7 +38,7 @@ ProcessPool::start (const std::string& file, const std::function<void ()>& work,
 {
   while (running_.size () >= at_once_)
     waitForOne ();
-  std::fflush (nullptr); // or both processes would write what waits in the buffers
+  std::fflush (nullptr); // otherwise both processes would write what is still buffered
   const pid_t parent = getpid ();
   const pid_t process = fork ();
   if (process < 0)

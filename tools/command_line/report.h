@@ -15,7 +15,7 @@ public:
   void
   add (const std::string& name, double value, const std::string& meaning);
 
-  /** \param[in] json one line of JSON, null where a number is not finite; otherwise a line a number */
+  /** \param[in] json true: one line of JSON, with null for numbers that are not finite; false: one line per number */
   void
   print (bool json) const;
 

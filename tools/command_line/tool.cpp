@@ -32,8 +32,8 @@ enum ExitStatus
 
 std::string tool_name;
 
-/** Ends the tool at once, wherever it is: a flag would wait for a long search or a pipe that nobody reads. Only calls
-  * that are safe in a signal handler. */
+/** Ends the tool at once, whatever it does: a flag would not be seen during a long search, or while a pipe is full.
+  * Makes only calls that are safe in a signal handler. */
 extern "C" void
 endInterrupted (int signal)
 {
@@ -48,7 +48,7 @@ handleSignals ()
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before;
     sigaction (signal, nullptr, &before);
-    if (before.sa_handler == SIG_IGN) // in the background, or under nohup
+    if (before.sa_handler == SIG_IGN) // as in the background, or under nohup
       continue;
     struct sigaction action
     {};
@@ -56,7 +56,7 @@ handleSignals ()
     sigfillset (&action.sa_mask);
     sigaction (signal, &action, nullptr);
   }
-  // A file that may not grow or a pipe that nobody reads is an error of writing, with a message.
+  // So that a file at its size limit and a pipe without a reader are ordinary write errors.
   for (const int signal : {SIGXFSZ, SIGPIPE})
     std::signal (signal, SIG_IGN);
 }
@@ -102,7 +102,7 @@ exitStatusOf (const std::string& file, const std::function<void ()>& work)
   try {
     work ();
     if (std::fflush (stdout) != 0 && errno == EPIPE)
-      return FILE_TROUBLE; // whoever reads has enough
+      return FILE_TROUBLE; // the reader wants no more: no message
     if (std::ferror (stdout) != 0)
       throw FileError ("the standard output", "cannot be written", "free some space, or send it elsewhere");
     return DONE;
@@ -128,7 +128,7 @@ int
 runTool (int argc, char** argv, Tool& tool)
 {
   tool_name = std::filesystem::path (argv[0]).filename ().string ();
-  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // every message comes from here
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // this file prints all messages
   handleSignals ();
   Options options;
   bool work = false;

@@ -38,7 +38,7 @@ ByteStream::ByteStream (const std::filesystem::path& path) : path_ (path), check
     failToRead (path_, std::strerror (errno));
   if (S_ISDIR (status.st_mode))
     throw FileError (path_, "is a folder", "give the files in it");
-  if (!S_ISREG (status.st_mode)) // nor is a pipe waited for
+  if (!S_ISREG (status.st_mode)) // before open, which would wait for a pipe
     failToRead (path_, "it is no regular file, and is read more than once");
   descriptor_ = open (path_.c_str (), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0)

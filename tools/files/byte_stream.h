@@ -14,14 +14,14 @@ namespace tools
 {
 class Checksum;
 
-/** Bytes from front to back: of a file, a megabyte of which is in memory, or such as are in memory anyway. */
+/** Reads bytes from front to back: those of a file, about a megabyte at a time, or bytes in memory. */
 class ByteStream
 {
 public:
-  /** Bytes that stay where they are while this is used. */
+  /** \param[in] bytes must stay in place while this is used */
   explicit ByteStream (std::string_view bytes);
 
-  /** \throw FileError where there is no regular file that can be read */
+  /** \throw FileError unless the path names a regular file that can be read */
   explicit ByteStream (const std::filesystem::path& path);
 
   ~ByteStream ();
@@ -30,8 +30,8 @@ public:
   ByteStream&
   operator= (const ByteStream&) = delete;
 
-  /** What comes next: at least \a least bytes, fewer only where no more are left. Valid until the next peek.
-    * \throw FileError where the file cannot be read */
+  /** The next bytes, which are not skipped: at least \a least, fewer only at the end. Valid until the next peek.
+    * \throw FileError if the file cannot be read */
   std::string_view
   peek (std::size_t least = 1)
   {
@@ -40,7 +40,7 @@ public:
     return ahead_;
   }
 
-  /** Goes past \a count bytes that peek has shown. */
+  /** Skips \a count bytes that peek has returned. */
   void
   skip (std::size_t count)
   {
@@ -49,14 +49,14 @@ public:
     left_ -= count;
   }
 
-  /** How many bytes are still to come. */
+  /** The number of bytes still to come. */
   std::uint64_t
   left () const
   {
     return left_;
   }
 
-  /** Of all bytes of the file that have been read so far. */
+  /** Checksum of all bytes read from the file so far. Only for the stream of a file. */
   std::string
   checksum () const;
 
@@ -72,11 +72,11 @@ private:
   std::unique_ptr<Checksum> checksum_;
 };
 
-/** The next word, as nextWord of a text. Valid until the next peek. */
+/** The next word, as nextWord of field_values.h. Valid until the next peek. */
 std::string_view
 nextWord (ByteStream& stream);
 
-/** The next line, as nextLine of a text. Valid until the next peek. */
+/** The next line, as nextLine of field_values.h. Valid until the next peek. */
 std::string_view
 nextLine (ByteStream& stream);
 } // namespace tools

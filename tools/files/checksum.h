@@ -10,7 +10,7 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** XXH3, 64 bits: tells what chance does to bytes. */
+/** XXH3 with 64 bits: detects accidental changes. */
 class Checksum
 {
 public:
@@ -33,7 +33,7 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/** Of bytes that are all there. */
+/** Checksum of bytes in memory. */
 std::uint64_t
 checksumOf (std::string_view bytes);
 

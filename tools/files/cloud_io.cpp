@@ -24,7 +24,7 @@ namespace tools
 {
 namespace
 {
-/** Closes a file when it goes. */
+/** Closes a file when destroyed. */
 struct Descriptor
 {
   int number;

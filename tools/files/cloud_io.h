@@ -11,7 +11,7 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** A cloud with all that its file says of it. */
+/** A cloud with everything that its file says about it. */
 struct CloudFile
 {
   std::string path;
@@ -37,36 +37,36 @@ enum class FileFormat
 
 /** Reads a PCD or PLY file, told apart by the extension.
   *
-  * Not with PCL's readers: those of 1.13 lose the viewpoint of a PLY file, take a size that a camera element states for
-  * that of the cloud, read a truncated line as a point at the origin, and crash where a header promises more than the
+  * PCL's readers are not used: those of 1.13 lose the viewpoint of a PLY file, take the size in a camera element for
+  * that of the cloud, read a truncated line as a point at the origin, and crash if a header promises more than the
   * file holds.
-  * \throw FileError where the file cannot be read or is no cloud */
+  * \throw FileError if the file cannot be read or is not a cloud */
 CloudFile
 loadCloud (const std::string& path);
 
-/** Writes a PCD or PLY file, told apart by the extension; whatever was there stays until the file is complete.
+/** Writes a PCD or PLY file, told apart by the extension; an existing file is replaced once the new one is complete.
   *
-  * Not with PCL's writers: those of 1.13 take no notice of a full disk, round the viewpoint, and write PLY files that
-  * nobody can read where normals are double or colours are not of one certain type.
-  * \throw FileError where it cannot be written */
+  * PCL's writers are not used: those of 1.13 ignore a full disk, round the viewpoint, and write unreadable PLY files
+  * if normals are double or colours are not of one particular type.
+  * \throw FileError if it cannot be written */
 void
 saveCloud (const CloudFile& file, const std::string& path, FileFormat format);
 
-/** Finds out before the work whether saveCloud has a chance.
-  * \throw UsageError where the extension is unknown or does not go with the format
-  * \throw FileError where the place cannot be written to */
+/** Checks, before the work is done, whether saveCloud can succeed.
+  * \throw UsageError if the extension is unknown or does not support the format
+  * \throw FileError if the file cannot be written there */
 void
 checkOutput (const std::string& path, FileFormat format);
 
-/** Extension of a file's name in lower case, with its dot. */
+/** The extension of a file name in lower case, with its dot. */
 std::string
 extensionOf (const std::string& path);
 
-/** ".pcd" or ".ply". \throw FileError for a path that ends in anything else */
+/** ".pcd" or ".ply". \throw FileError for any other extension */
 std::string
 cloudExtensionOf (const std::string& path);
 
-/** The bytes of a file, or of what comes out of a pipe. \throw FileError */
+/** All bytes of a file or a pipe. \throw FileError */
 std::string
 readFile (const std::string& path);
 } // namespace tools

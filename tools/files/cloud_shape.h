@@ -9,10 +9,10 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** The widest point and the most points that a cloud may have: PCL counts points in int. */
+/** Limits on the bytes of a point and the points of a cloud: PCL counts points in int. */
 constexpr std::uint64_t max_point_bytes = 1u << 24, max_cloud_size = 0x7fffffff;
 
-/** All that a file says of a cloud, its points apart. */
+/** Everything that a file says about a cloud, except its points. */
 struct CloudShape
 {
   std::vector<pcl::PCLPointField> fields;
@@ -33,7 +33,7 @@ struct CloudShape
 CloudShape
 shapeOf (const CloudFile& file);
 
-/** Makes \a file a cloud of that shape; its data are to be filled in. */
+/** Gives the cloud of \a file that shape; its data are left to the caller. */
 void
 setShape (const CloudShape& shape, CloudFile& file);
 

@@ -17,7 +17,7 @@ namespace
 using Field = pcl::PCLPointField;
 using Fields = std::vector<Field>;
 
-/** The fields of the three coordinates; empty where one is missing or no single number. */
+/** Indices of the three coordinates' fields; empty if one is missing or holds more than one number. */
 std::vector<std::size_t>
 coordinatesOf (const Fields& fields)
 {
@@ -49,7 +49,7 @@ isFloatOrDouble (const Field& field)
   return field.datatype == Field::FLOAT32 || field.datatype == Field::FLOAT64;
 }
 
-/** Writes a number of one type as one of another. */
+/** Converts a number to float or double. */
 void
 convertNumber (const std::uint8_t* from, std::uint8_t from_type, std::uint8_t* to, std::uint8_t to_type)
 {
@@ -80,7 +80,7 @@ CoordinateFields::CoordinateFields (const CloudShape& stored)
   const std::uint8_t type = all (fitsFloat) ? Field::FLOAT32 : Field::FLOAT64;
   for (const std::size_t c : coordinates)
     fields_[c].datatype = type;
-  step_ = 0; // what padded the points of the file goes
+  step_ = 0; // the new points have no padding
   for (Field& field : fields_) {
     field.offset = static_cast<pcl::uindex_t> (step_);
     step_ += field.count * sizeOfType (field.datatype);

@@ -57,7 +57,7 @@ parse (std::string_view text, T& value)
   if (end != text.data () + text.size () || text.empty ())
     return false;
   if constexpr (std::is_floating_point_v<T>)
-    if (error == std::errc::result_out_of_range) { // too large or too small: infinity, or zero and what is near
+    if (error == std::errc::result_out_of_range) { // infinity, or zero or a denormal number
       value = static_cast<T> (std::strtod (std::string (text).c_str (), nullptr));
       return true;
     }

@@ -14,9 +14,9 @@ namespace tools
 std::size_t
 sizeOfType (std::uint8_t datatype);
 
-/** Reads a number from text that holds nothing else.
-  * \param[out] value where its sizeOfType (datatype) bytes go
-  * \return false where the text is no such number */
+/** Parses a text that consists of one number.
+  * \param[out] value receives sizeOfType (datatype) bytes
+  * \return false if the text is not such a number */
 bool
 parseValue (std::string_view text, std::uint8_t datatype, std::uint8_t* value);
 
@@ -32,23 +32,23 @@ appendValue (const std::uint8_t* value, std::uint8_t datatype, std::string& text
 void
 appendFloat (float value, std::string& text);
 
-/** The next word of \a text, which loses it; empty where there is none. Spaces, tabs, line ends part words. */
+/** Removes the next word from \a text and returns it; empty if there is none. White space separates words. */
 std::string_view
 nextWord (std::string_view& text);
 
-/** The next line of \a text, which loses it, without its line end. */
+/** Removes the next line from \a text and returns it without its line end. */
 std::string_view
 nextLine (std::string_view& text);
 
-/** A whole number from a word. \return false where it is none or too large */
+/** Parses a whole number. \return false if the word is not one, or the number is too large */
 bool
 parseCount (std::string_view word, std::uint64_t& count);
 
-/** The field of that name; nullptr where there is none. */
+/** The field of that name; nullptr if there is none. */
 const pcl::PCLPointField*
 findField (const pcl::PCLPointCloud2& cloud, const std::string& name);
 
-/** Adds float fields that the cloud does not have yet, with NaN in every point. */
+/** Adds those float fields that the cloud lacks, with NaN at every point. */
 void
 addFloatFields (pcl::PCLPointCloud2& cloud, const std::vector<std::string>& names);
 } // namespace tools

@@ -27,7 +27,7 @@ namespace
 {
 constexpr std::size_t buffer_size = 1u << 20;
 
-// What a signal handler may look at.
+// What the signal handler may access.
 char temporary_path[PATH_MAX];
 volatile std::sig_atomic_t has_temporary = 0;
 
@@ -47,7 +47,7 @@ removeOwnTemporary () noexcept
   has_temporary = 0;
 }
 
-/** The file that a path stands for, also where the last link points to nothing yet. */
+/** Follows symbolic links, even if the last one points to a file that does not exist yet. */
 fs::path
 behindLinks (fs::path path)
 {
@@ -65,7 +65,7 @@ folderOf (const fs::path& path)
   return path.has_parent_path () ? path.parent_path ().string () : ".";
 }
 
-/** A new file has the rights that the user's umask gives, a replaced one keeps its own. */
+/** The rights of the old file if one is replaced, otherwise those that the user's umask gives. */
 mode_t
 rightsOf (const std::string& target)
 {
@@ -167,7 +167,7 @@ OutputFile::commit ()
     fail ("cannot be written");
   const int descriptor = descriptor_;
   descriptor_ = -1;
-  if (close (descriptor) != 0) // where network file systems tell of a full disk
+  if (close (descriptor) != 0) // network file systems report a full disk here
     fail ("cannot be written");
   const SignalPause pause;
   if (std::rename (temporary_.c_str (), target_.c_str ()) != 0)
@@ -187,7 +187,7 @@ OutputFile::fail (const std::string& action)
 void
 removeOnInterruption (const std::string& path)
 {
-  removed = new Removed {path, removed}; // stays: a signal may come at any time
+  removed = new Removed {path, removed}; // never freed: a signal may come at any time
 }
 
 void

@@ -10,13 +10,13 @@ namespace tools
 {
 /** A file that appears, or replaces the one of that name, only when it is complete.
   *
-  * It grows under a temporary name beside its place; destroyed before commit(), it leaves nothing behind and the old
-  * file as it was. A symbolic link is followed. A pipe or a device is written to at once: there is nothing to replace.
-  * One at a time in a process: its signal handler removes the temporary file of the last. */
+  * It is written under a temporary name in the same folder; if it is destroyed before commit(), nothing is left behind
+  * and an old file stays as it was. Symbolic links are followed. A pipe or a device is written to directly: there is
+  * nothing to replace. Only one may exist at a time in a process: the signal handler knows one temporary file. */
 class OutputFile
 {
 public:
-  /** \throw FileError where the place cannot be written to */
+  /** \throw FileError if the file cannot be written there */
   explicit OutputFile (const std::string& path);
 
   ~OutputFile ();
@@ -25,11 +25,11 @@ public:
   OutputFile&
   operator= (const OutputFile&) = delete;
 
-  /** \throw FileError where the disk is full */
+  /** \throw FileError if the disk is full */
   void
   write (std::string_view bytes);
 
-  /** Puts the file in its place. \throw FileError where that fails */
+  /** Puts the file in its place. \throw FileError if that fails */
   void
   commit ();
 
@@ -41,28 +41,28 @@ private:
   fail (const std::string& action);
 
   std::string path_;      // as the user gave it, for messages
-  std::string target_;    // behind symbolic links
-  std::string temporary_; // empty where the target is written to directly
+  std::string target_;    // with symbolic links resolved
+  std::string temporary_; // empty if the target is written to directly
   std::string buffer_;
   int descriptor_ = -1;
 };
 
-/** Finds out before the work what would make it useless after: a missing folder, a folder in the file's place, missing
-  * rights. \throw FileError */
+/** Checks, before the work is done, that its result can be written: that the folder exists, that the name is not a
+  * folder's, that there are sufficient rights. \throw FileError */
 void
 checkWritable (const std::string& path);
 
-/** Removes a file, or a folder once it is empty, together with the temporary file: what is of no use until other files
-  * are written. */
+/** Registers a file, or a folder that is empty by then, to be removed together with the temporary file if the tool is
+  * interrupted. For what is of no use until other files are written. */
 void
 removeOnInterruption (const std::string& path);
 
-/** Keeps what was to be removed. */
+/** Cancels what removeOnInterruption has registered. */
 void
 keepOnInterruption () noexcept;
 
-/** Removes the temporary file of the OutputFile at work, and what removeOnInterruption names. Safe in a signal
-  * handler. */
+/** Removes the temporary file of the current OutputFile, and what removeOnInterruption has registered. Safe in a
+  * signal handler. */
 void
 removeTemporaryFile () noexcept;
 } // namespace tools

@@ -21,8 +21,8 @@ using Fields = std::vector<pcl::PCLPointField>;
 /** What the lines before the data say. */
 struct Header
 {
-  Fields fields;                    // the padding "_" among them
-  std::vector<std::uint64_t> sizes; // of one number, as SIZE gives them
+  Fields fields;                    // with the padding "_"
+  std::vector<std::uint64_t> sizes; // bytes per number, from SIZE
   std::uint64_t width = 0, height = 1, points = 0;
   bool has_points = false;
   std::size_t stride = 0;
@@ -39,7 +39,7 @@ countFrom (std::string_view word, const char* key)
   return count;
 }
 
-/** Hands one word for every field to \a use (field number, word). */
+/** Calls \a use (field number, word) for every field. */
 template <typename Use>
 void
 forEachField (const Header& header, std::string_view line, const char* key, const Use& use)
@@ -82,7 +82,7 @@ readFieldLine (std::string_view key, std::string_view line, Header& header)
     });
 }
 
-/** \return whether the data follow */
+/** \return whether this was the last line */
 bool
 readHeaderLine (std::string_view line, Header& header)
 {
@@ -107,14 +107,14 @@ readHeaderLine (std::string_view line, Header& header)
   return key == "DATA";
 }
 
-/** Reads the header and goes past it. */
+/** Reads the header; the stream then continues with the data. */
 Header
 readHeader (ByteStream& stream, std::uint64_t most)
 {
   Header header;
   bool complete = false;
   while (!complete && stream.left () > 0) {
-    // A file of another kind is told by its first lines, not by a search for DATA through all of it.
+    // Recognise another kind of file by its first lines, without searching all of it for DATA.
     const std::string_view first = stream.peek (4096).substr (0, 4096);
     if (header.fields.empty () && first.find ("FIELDS") == std::string_view::npos &&
         first.find ("COLUMNS") == std::string_view::npos)
@@ -172,7 +172,7 @@ readAsciiPoint (ByteStream& stream, const Header& header, std::uint64_t i, std::
     throw FormatError ("the line of point " + std::to_string (i) + " has more values than there are fields");
 }
 
-/** All values of the first field, then all of the second, and so on, in one LZF block behind two sizes. */
+/** Reads two sizes, then an LZF block of all values of the first field, all of the second, and so on. */
 void
 readCompressed (std::string_view bytes, const Header& header, std::vector<std::uint8_t>& data)
 {
@@ -184,7 +184,7 @@ readCompressed (std::string_view bytes, const Header& header, std::vector<std::u
   std::uint64_t expected = 0;
   for (const auto& field : header.fields)
     expected += header.points * field.count * sizeOfType (field.datatype);
-  // LZF makes at most 264 bytes of 3.
+  // LZF expands 3 bytes to at most 264.
   if (sizes[0] > bytes.size () || sizes[1] != expected || expected / 88 > sizes[0])
     throw FormatError ("is truncated or damaged, its compressed data do not have the size that its header claims");
   std::vector<std::uint8_t> columns (expected);
@@ -218,7 +218,7 @@ public:
       std::size_t words = 0;
       for (const auto& field : header.fields)
         words += field.count;
-      requireBytes (stream.left () + 1, header.points, 2 * words); // a word and what parts it from the next
+      requireBytes (stream.left () + 1, header.points, 2 * words); // a character and a separator per word
     }
     else if (header.encoding != "binary_compressed")
       throw FormatError ("DATA of its header is neither ascii nor binary nor binary_compressed");

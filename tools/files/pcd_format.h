@@ -14,20 +14,20 @@ void
 readPcd (const std::string& bytes, CloudFile& file);
 
 /** Reads the points of a PCD file.
-  * \param[in] most points that its header may claim
-  * \return nullptr for a compressed file, which holds one field after the other \throw FormatError */
+  * \param[in] most limit on the points that its header may claim
+  * \return nullptr for a compressed file, which is stored field by field \throw FormatError */
 std::unique_ptr<PointReader>
 makePcdReader (ByteStream& stream, std::uint64_t most);
 
-/** \throw FormatError where the format cannot hold the cloud */
+/** \throw FormatError if the format cannot hold the cloud */
 void
 writePcd (const CloudFile& file, FileFormat format, OutputFile& output);
 
-/** The parts of a file that is not compressed. */
+/** The header; in an uncompressed file, writePcdPoints writes the rest. */
 std::string
 pcdHeader (const CloudShape& shape, FileFormat format);
 
-/** \param[in] data shape.point_step bytes a point */
+/** \param[in] data shape.point_step bytes per point */
 void
 writePcdPoints (const CloudShape& shape,
                 FileFormat format,

@@ -20,8 +20,8 @@ bytesOf (const pcl::PCLPointField& field)
   return std::max<std::size_t> (field.count, 1) * sizeOfType (field.datatype);
 }
 
-/** Type of a field in the file. Packed colours are written as the integer that they are: most are NaN as a float, and
-  * text does not tell one NaN from another. PCL's writer does the same, and its reader takes both. */
+/** Type of a field in the file. As text, packed colours are written as integers: most are NaN as a float, and text
+  * does not distinguish one NaN from another. PCL's writer does the same, and its reader accepts both. */
 std::uint8_t
 typeIn (FileFormat format, const pcl::PCLPointField& field)
 {
@@ -87,7 +87,7 @@ writeCompressed (const CloudFile& file, OutputFile& output)
   for (const auto& field : file.cloud->fields)
     for (std::size_t i = 0; i < file.size (); ++i)
       columns += fieldBytes (file.cloud->data.data () + i * file.cloud->point_step, field);
-  // LZF makes data that do not shrink a thirtieth longer.
+  // LZF makes incompressible data a thirtieth longer.
   const std::size_t capacity = columns.size () + columns.size () / 16 + 64;
   if (capacity > std::numeric_limits<std::uint32_t>::max ())
     throw FormatError ("a compressed PCD file holds 4 gigabytes at most, the cloud has more");

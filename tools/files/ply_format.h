@@ -14,7 +14,7 @@ struct PlyProperty
 {
   std::string name;
   std::uint8_t datatype = 0;  // of pcl::PCLPointField
-  std::uint8_t list_type = 0; // of the number that says how long a list is; 0 = no list
+  std::uint8_t list_type = 0; // of the length of a list; 0: this is not a list
 };
 
 struct PlyElement
@@ -37,30 +37,30 @@ struct PlyHeader
   std::vector<PlyElement> elements;
 };
 
-/** Reads the header and goes past it.
-  * \throw FormatError where it is none, or claims more elements than the stream has room for */
+/** Reads the header; the stream then continues with the data.
+  * \throw FormatError if it is invalid, or claims more elements than the stream has room for */
 PlyHeader
 readPlyHeader (ByteStream& stream);
 
-/** Reads the vertices of a PLY file as PCL names them (nx: normal_x; red, green, blue: rgb), with the viewpoint, width
-  * and height that a camera element says. \throw FormatError */
+/** Reads the vertices of a PLY file under PCL's names (nx: normal_x; red, green, blue: rgb), and the viewpoint, width
+  * and height from its camera element. \throw FormatError */
 void
 readPly (const std::string& bytes, CloudFile& file);
 
 /** Reads the vertices of a PLY file.
-  * \param[in] most vertices that its header may claim \throw FormatError */
+  * \param[in] most limit on the vertices that its header may claim \throw FormatError */
 std::unique_ptr<PointReader>
 makePlyReader (ByteStream& stream, std::uint64_t most);
 
-/** \throw FormatError where PLY cannot hold a field */
+/** \throw FormatError if PLY cannot hold a field */
 void
 writePly (const CloudFile& file, FileFormat format, OutputFile& output);
 
-/** The parts of a file. \throw FormatError where PLY cannot hold a field */
+/** The header; writePlyPoints and writePlyEnd write the rest. \throw FormatError if PLY cannot hold a field */
 std::string
 plyHeader (const CloudShape& shape, FileFormat format);
 
-/** \param[in] data shape.point_step bytes a point */
+/** \param[in] data shape.point_step bytes per point */
 void
 writePlyPoints (const CloudShape& shape,
                 FileFormat format,

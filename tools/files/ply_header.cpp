@@ -50,20 +50,20 @@ encodingNamed (std::string_view name)
   throw FormatError ("its header has an unknown format (" + std::string (name) + ")");
 }
 
-/** The fewest bytes that an element can take. */
+/** The smallest number of bytes that an element can take. */
 std::size_t
 leastBytes (const PlyElement& element, PlyHeader::Encoding encoding)
 {
   std::size_t bytes = 0;
   for (const PlyProperty& property : element.properties)
     if (encoding == PlyHeader::Encoding::ASCII)
-      bytes += 2; // a digit, and what parts it from the next
+      bytes += 2; // a digit and a separator
     else
       bytes += sizeOfType (property.list_type != 0 ? property.list_type : property.datatype);
   return bytes;
 }
 
-/** Seen before any memory is taken for what a header claims. */
+/** To be checked before memory is allocated for what a header claims. */
 void
 checkCounts (const PlyHeader& header, std::uint64_t available)
 {
@@ -96,7 +96,7 @@ PlyHeader
 readPlyHeader (ByteStream& stream)
 {
   PlyHeader header;
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of editors that save UTF-8
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some editors write it
   if (stream.peek (byte_order_mark.size ()).substr (0, byte_order_mark.size ()) == byte_order_mark)
     stream.skip (byte_order_mark.size ());
   std::string_view line = nextLine (stream);

@@ -18,7 +18,7 @@ namespace
 {
 using Field = pcl::PCLPointField;
 
-/** Reads an element, and hands its scalar numbers to \a use (property name, value). */
+/** Reads an element, and calls \a use (property, bytes of the number) for its numbers, except those in lists. */
 template <typename Use>
 void
 readElement (const PlyElement& element, PlyValues& values, const Use& use)
@@ -35,7 +35,7 @@ readElement (const PlyElement& element, PlyValues& values, const Use& use)
     }
 }
 
-/** Where the numbers of a vertex go. */
+/** Where the numbers of a vertex's property go. */
 struct Slot
 {
   std::size_t offset = 0;
@@ -60,7 +60,7 @@ public:
     has_alpha_ = has_colour_ && position ("alpha") < end;
   }
 
-  /** \param[in] length of every list */
+  /** \param[in] lengths of the properties, as firstLengths () gives them */
   std::vector<Slot>
   place (const std::vector<std::size_t>& lengths, CloudShape& cloud)
   {
@@ -83,7 +83,7 @@ public:
 private:
   static constexpr std::size_t none = static_cast<std::size_t> (-1);
 
-  /** Byte of a packed colour that a property goes to; -1 where it is none. */
+  /** The byte of the packed colour that holds a property; -1 if it is not a colour. */
   int
   channelOf (const PlyProperty& property) const
   {
@@ -146,7 +146,7 @@ firstLengths (const PlyElement& vertex, PlyHeader::Encoding encoding, PlyValues&
   return lengths;
 }
 
-/** What PCL keeps in a camera element: the sensor's pose, and the width and height of the cloud. */
+/** Applies what PCL stores in a camera element: the sensor's pose, and the width and height of the cloud. */
 void
 applyCamera (const std::map<std::string, double>& camera, CloudShape& shape)
 {
@@ -161,7 +161,7 @@ applyCamera (const std::map<std::string, double>& camera, CloudShape& shape)
     shape.origin[row] = static_cast<float> (value ("view_p" + axis));
     axes.row (row) << value (axis + "_axisx"), value (axis + "_axisy"), value (axis + "_axisz");
   }
-  // Other programs leave the axes empty, and put the size of their window into the viewport.
+  // Other programs leave the axes at zero, and put the size of their window into the viewport.
   if (std::abs (axes.determinant () - 1) < 1e-3)
     shape.orientation = Eigen::Quaterniond (axes).normalized ().cast<float> ();
   const double width = value ("viewportx"), height = value ("viewporty");
@@ -244,7 +244,7 @@ private:
 
   PlyHeader header_;
   PlyValues values_;
-  std::size_t next_ = 0; // element
+  std::size_t next_ = 0; // element to be read
   std::vector<PlyProperty> properties_;
   std::vector<Slot> slots_;
   std::map<std::string, double> camera_;

@@ -12,13 +12,13 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Takes one number after the other off the data. */
+/** Reads the numbers of the data one by one. */
 class PlyValues
 {
 public:
   PlyValues (ByteStream& data, PlyHeader::Encoding encoding) : data_ (data), encoding_ (encoding) {}
 
-  /** \param[out] value where the bytes of a number of type \a datatype go */
+  /** \param[out] value receives the bytes of a number of type \a datatype */
   void
   read (std::uint8_t datatype, std::uint8_t* value)
   {
@@ -39,7 +39,7 @@ public:
     data_.skip (size);
   }
 
-  /** How long the list is that comes next. */
+  /** Reads the length of the list that comes next. */
   std::size_t
   readLength (std::uint8_t datatype)
   {
@@ -52,7 +52,7 @@ public:
     return static_cast<std::size_t> (length);
   }
 
-  /** Goes past lines of text that hold something: MeshLab writes more for a face than its header says. */
+  /** Skips lines of text, blank ones not counted: MeshLab writes more numbers per face than its header says. */
   void
   skipLines (std::uint64_t count)
   {
@@ -64,14 +64,14 @@ public:
       throw FormatError ("is truncated, its data end too early");
   }
 
-  /** Numbers of that type that may still follow. */
+  /** Upper bound on the numbers of that type that may still follow. */
   std::uint64_t
   room (std::uint8_t datatype) const
   {
     return encoding_ == PlyHeader::Encoding::ASCII ? (data_.left () + 1) / 2 : data_.left () / sizeOfType (datatype);
   }
 
-  /** What comes next, to be read without going past it: enough for the widest vertex. */
+  /** The data to come, to be read without being skipped: enough for the largest vertex. */
   std::string_view
   ahead ()
   {

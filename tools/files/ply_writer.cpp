@@ -67,7 +67,7 @@ plyHeader (const CloudShape& shape, FileFormat format)
     text += std::string ("property ") + (field.count > 1 ? "list uint " : "") + typeName (field) + " ";
     text += (normal ? "n" + field.name.substr (7) : field.name) + "\n";
   }
-  // VTK wants faces to be named. The camera is how PCL keeps the viewpoint, the width and the height.
+  // VTK requires a face element. PCL stores the viewpoint, the width and the height in the camera element.
   text += "element face 0\nproperty list uchar int vertex_indices\nelement camera 1\n";
   for (const char* name :
        {"view_px", "view_py", "view_pz", "x_axisx", "x_axisy", "x_axisz", "y_axisx", "y_axisy", "y_axisz", "z_axisx",
@@ -140,7 +140,7 @@ addCamera (const CloudShape& shape, Record& record)
   for (int unused = 0; unused < 5; ++unused)
     add (0);
   for (const std::uint64_t length : {shape.width, shape.height}) {
-    const std::int64_t size = shape.size () > max_cloud_size ? 0 : static_cast<std::int64_t> (length); // 0: none
+    const std::int64_t size = shape.size () > max_cloud_size ? 0 : static_cast<std::int64_t> (length); // 0: unknown
     record.add (Field::INT32, &size);
   }
   add (0);

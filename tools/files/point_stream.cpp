@@ -12,7 +12,7 @@ namespace tools
 {
 namespace
 {
-/** Points that a file may claim: their bytes can be counted. */
+/** Limit on the points that a file may claim: the count of their bytes does not overflow. */
 constexpr std::uint64_t most_points = std::uint64_t (1) << 38;
 
 template <typename Work>

@@ -12,33 +12,33 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Reads one point after the other, whatever the size of the file. */
+/** Reads points, some at a time, from a file of any size. */
 class PointReader
 {
 public:
   virtual ~PointReader () = default;
 
-  /** What a PLY file says behind its points, the viewpoint and with it width and height, is there from finish () on. */
+  /** A PLY file states viewpoint, width and height after its points: they are only known after finish (). */
   const CloudShape&
   shape () const
   {
     return shape_;
   }
 
-  /** The next points, as they lie in a pcl::PCLPointCloud2.
-    * \param[in] most how many at most
-    * \param[out] data shape ().point_step bytes a point
-    * \return how many; 0 behind the last \throw FormatError */
+  /** Reads the next points, laid out as in a pcl::PCLPointCloud2.
+    * \param[in] most limit on their number
+    * \param[out] data shape ().point_step bytes per point
+    * \return their number; 0 after the last \throw FormatError */
   virtual std::size_t
   read (std::size_t most, std::vector<std::uint8_t>& data) = 0;
 
-  /** Reads what follows the points, once all of them are read. \throw FormatError */
+  /** Reads what follows the points, once all of them have been read. \throw FormatError */
   virtual void
   finish ()
   {}
 
 protected:
-  /** How many points read () is to give. */
+  /** How many points read () is to return. */
   std::size_t
   nextCount (std::size_t most) const
   {
@@ -51,18 +51,18 @@ protected:
 
 class CoordinateFields;
 
-/** Reads the points of a PCD or PLY file, told apart by the extension, their coordinates as CoordinateFields says. Its
+/** Reads the points of a PCD or PLY file, told apart by the extension. CoordinateFields converts their coordinates. The
   * functions throw FileError. */
 class PointFile
 {
 public:
-  /** \throw FileError where the file cannot be read, is no cloud, or is a compressed PCD file, which holds one field
-    * after the other */
+  /** \throw FileError if the file cannot be read, is not a cloud, or is a compressed PCD file, which is stored field by
+    * field */
   explicit PointFile (const std::string& path);
 
   ~PointFile ();
 
-  /** As of PointReader. */
+  /** As PointReader::shape (). */
   const CloudShape&
   shape () const
   {
@@ -84,14 +84,14 @@ private:
   CloudShape shape_;
 };
 
-/** Writes a PCD or PLY file, told apart by the extension, point by point: the bytes that saveCloud would write. */
+/** Writes a PCD or PLY file, told apart by the extension, some points at a time: the same bytes as saveCloud. */
 class PointWriter
 {
 public:
   /** \param[in] format ASCII or BINARY \throw FileError */
   PointWriter (const CloudShape& shape, const std::string& path, FileFormat format);
 
-  /** \param[in] data shape.point_step bytes a point \throw FileError where the disk is full */
+  /** \param[in] data shape.point_step bytes per point \throw FileError if the disk is full */
   void
   write (const std::uint8_t* data, std::size_t points);
 

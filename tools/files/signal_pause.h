@@ -7,9 +7,9 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Holds signals back, so that a file and the note of its name come and go together. Not to be nested.
+/** Defers signals while it exists, so that a file and the record of its name come and go together. Not to be nested.
   *
-  * A signal that comes meanwhile ends the tool after it, also where another thread takes the signal. */
+  * A signal that arrives meanwhile ends the tool only afterwards, even if another thread receives it. */
 class SignalPause
 {
 public:
@@ -21,7 +21,7 @@ public:
   SignalPause&
   operator= (const SignalPause&) = delete;
 
-  /** Waits for a pause to end, and lets none begin any more: the tool is about to end. Safe in a signal handler. */
+  /** Waits for a pause to end, and prevents further ones: the tool is about to end. Safe in a signal handler. */
   static void
   endAll () noexcept;
 

@@ -26,14 +26,14 @@ namespace
 constexpr double flatness = 0.8, thickness = 0.12;
 constexpr double major_radius = 0.55, minor_radius = 0.25, centre_x = 0.62, width_of_joint = 0.15;
 
-/** 0 along a figure of eight. */
+/** A function that is 0 on a figure of eight. */
 double
 eightAt (const Eigen::Vector3d& p)
 {
   return p.x () * p.x () * (1 - p.x () * p.x ()) - p.y () * p.y ();
 }
 
-/** The torus on one side; its distance. \param[out] gradient */
+/** Signed distance to the torus on one side. \param[out] gradient of that distance */
 double
 torusAt (Eigen::Vector3d p, double side, Eigen::Vector3d& gradient)
 {
@@ -89,7 +89,7 @@ joinedTori ()
 
 namespace
 {
-/** Newton's method along the gradient. */
+/** Moves a point to the surface by Newton's method along the gradient. */
 Eigen::Vector3d
 projected (const DoubleTorus& torus, Eigen::Vector3d p)
 {
@@ -100,7 +100,7 @@ projected (const DoubleTorus& torus, Eigen::Vector3d p)
   return p;
 }
 
-/** The surface in cells of side \a spacing. */
+/** Extracts the surface from a grid of cells with side \a spacing. */
 Mesh
 sampled (const DoubleTorus& torus, double spacing)
 {
@@ -128,12 +128,12 @@ sampled (const DoubleTorus& torus, double spacing)
     const vtkIdType* corners;
     output->GetPolys ()->GetCellAtId (t, count, corners);
     mesh.triangles.push_back ({static_cast<std::uint32_t> (corners[0]), static_cast<std::uint32_t> (corners[2]),
-                               static_cast<std::uint32_t> (corners[1])}); // VTK's face down the gradient
+                               static_cast<std::uint32_t> (corners[1])}); // VTK's triangles face down the gradient
   }
   return mesh;
 }
 
-/** Moves every vertex to the middle of its neighbours, and back to the surface. */
+/** Moves every vertex halfway to the mean of its neighbours, and back to the surface. */
 void
 relax (const DoubleTorus& torus, Mesh& mesh)
 {

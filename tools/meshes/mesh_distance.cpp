@@ -16,7 +16,7 @@ namespace tools
 {
 struct MeshDistance::Locator
 {
-  Eigen::Vector3d origin; // the mesh is moved there: far from zero VTK's tolerances would be those of large numbers
+  Eigen::Vector3d origin; // subtracted from the mesh: VTK's tolerances grow with the size of the coordinates
   vtkNew<vtkPolyData> mesh;
   vtkNew<vtkStaticCellLocator> cells;
 };

@@ -13,12 +13,12 @@ namespace tools
 class MeshDistance
 {
 public:
-  /** \param[in] mesh with a triangle at least */
+  /** \param[in] mesh with at least one triangle */
   explicit MeshDistance (const Mesh& mesh);
 
   ~MeshDistance ();
 
-  /** In the mesh's unit. May be called from many threads. */
+  /** Distance of a point, in the mesh's unit. May be called from several threads at once. */
   double
   of (const Eigen::Vector3d& point) const;
 

@@ -43,7 +43,7 @@ lengthOf (const Mesh& mesh, const MeshEdge& edge)
 std::vector<MeshEdge>
 edgesOf (const Mesh& mesh)
 {
-  std::vector<std::tuple<std::uint32_t, std::uint32_t, bool, std::uint32_t>> sides; // lower, higher, reversed, triangle
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, bool, std::uint32_t>> sides; // lower, higher, reversed; triangle
   for (std::uint32_t t = 0; t < mesh.triangles.size (); ++t)
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t from = mesh.triangles[t][c], to = mesh.triangles[t][(c + 1) % 3];

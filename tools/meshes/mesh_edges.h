@@ -7,23 +7,23 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** An edge of a closed mesh: the triangle at its left has its corners in the order a, b; that at its right b, a. */
+/** An edge of a closed mesh: the triangle on its left has the corners in the order a, b, the one on its right b, a. */
 struct MeshEdge
 {
   std::uint32_t a, b;
   std::uint32_t left, right;
 };
 
-/** The edges that have exactly two triangles, one at each side. */
+/** The edges that have exactly two triangles, one on each side. */
 std::vector<MeshEdge>
 edgesOf (const Mesh& mesh);
 
-/** Splits up to \a count of the longest edges in their middle; each makes one vertex. */
+/** Splits up to \a count of the longest edges in the middle, at most one per triangle; each split adds one vertex. */
 void
 splitLongestEdges (std::size_t count, Mesh& mesh);
 
-/** Swaps the diagonals of pairs of triangles whose angles opposite of their edge are more than 180 degrees together.
-  * \return how many were swapped */
+/** Flips the edges for which the angles opposite them, in the two triangles, add up to more than 180 degrees.
+  * \return how many were flipped */
 std::size_t
 flipEdges (Mesh& mesh);
 } // namespace tools

@@ -7,7 +7,7 @@
 #include "files/ply_format.h"
 #include "files/tool_error.h"
 
-// Of CGAL only the readers, which are LGPL.
+// Only CGAL's readers are used, which are LGPL.
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -29,8 +29,8 @@ using Polygon = std::vector<std::size_t>;
 
 constexpr const char* advice = "give a complete PLY, OFF, OBJ or STL mesh";
 
-/** Bounds the memory of the process while it lives: CGAL takes as much as the numbers in a damaged file ask for, and is
-  * to get std::bad_alloc before the machine has none left. */
+/** Limits the memory of the process while this exists: CGAL allocates as much as the numbers in a damaged file demand,
+  * and should get std::bad_alloc before the machine runs out of memory. */
 class MemoryBound
 {
 public:
@@ -59,9 +59,9 @@ private:
   rlimit before_;
 };
 
-/** An OFF file without the letters that promise texture coordinates, colours and normals. CGAL 5.5 looks for them
-  * behind the end of a line that has fewer numbers; without the promise, it passes over what stands behind the
-  * coordinates. A binary file stays as it is, for its numbers have no other division. */
+/** Removes the letters from the header of an OFF file that announce texture coordinates, colours and normals. CGAL 5.5
+  * looks for these beyond the end of a line that lacks them; without the letters, it skips what follows the
+  * coordinates. A binary file is left alone, since nothing else there separates the numbers. */
 std::string
 withoutAttributes (std::string off)
 {
@@ -76,15 +76,15 @@ withoutAttributes (std::string off)
   for (const std::string promise : {"ST", "C", "N"}) // in this order
     end += off.compare (end, promise.size (), promise) == 0 ? promise.size () : 0;
   const bool promises_again =
-      off.find_first_of ("CN", end) == end || off.compare (end, 2, "ST") == 0; // CGAL refuses that
+      off.find_first_of ("CN", end) == end || off.compare (end, 2, "ST") == 0; // CGAL refuses it
   return promises_again ? off : off.erase (begin, end - begin);
 }
 
-/** \return false where the file is no mesh */
+/** \return false if the file is not a mesh */
 bool
 readSoup (const std::string& path, const std::string& bytes, std::vector<Point>& points, std::vector<Polygon>& polygons)
 {
-  // A face of a text file takes the most: some 8 bytes become a vector, which moves when the list grows.
+  // A face of a text file takes the most: about 8 bytes become a vector, which is moved when the list grows.
   const MemoryBound bound ((std::size_t (256) << 20) + 64 * bytes.size ());
   try {
     if (extensionOf (path) == ".off") {
@@ -98,7 +98,7 @@ readSoup (const std::string& path, const std::string& bytes, std::vector<Point>&
   }
 }
 
-/** \throw FormatError where a vertex is not finite or a face has a corner that does not exist */
+/** \throw FormatError if a vertex is not finite, a face has a corner that does not exist, or there are no faces */
 Mesh
 fromSoup (const std::vector<Point>& points, const std::vector<Polygon>& polygons)
 {
@@ -132,7 +132,7 @@ loadMesh (const std::string& path)
   try {
     const std::string bytes = readFile (path);
     ByteStream stream {std::string_view (bytes)};
-    if (extension == ".ply") // CGAL goes through as many elements as the header claims, there or not
+    if (extension == ".ply") // CGAL loops over as many elements as the header claims, present or not
       readPlyHeader (stream);
     std::vector<Point> points;
     std::vector<Polygon> polygons;

@@ -21,13 +21,13 @@ struct Mesh
   std::vector<Triangle> triangles;
 };
 
-/** Reads a PLY, OFF, OBJ or STL file, told apart by the extension; larger faces are cut into triangles that share a
-  * corner.
-  * \throw FileError where the file cannot be read or is no mesh */
+/** Reads a PLY, OFF, OBJ or STL file, told apart by the extension; larger faces are split into triangles that share
+  * one corner.
+  * \throw FileError if the file cannot be read or is not a mesh */
 Mesh
 loadMesh (const std::string& path);
 
-/** Writes a PLY file (text), as OutputFile does. \throw FileError */
+/** Writes a PLY file (text) by means of OutputFile. \throw FileError */
 void
 saveMesh (const Mesh& mesh, const std::string& path);
 } // namespace tools

@@ -12,7 +12,7 @@ namespace tools
 {
 namespace
 {
-/** Twice the area, along the normal. */
+/** A vector along the normal, of twice the triangle's area in length. */
 Eigen::Vector3d
 areaVector (const Mesh& mesh, const Mesh::Triangle& t)
 {

@@ -7,14 +7,14 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Mean length of the edges, each counted once however many triangles it has. */
+/** Mean length of the edges, each counted once however many triangles share it. */
 double
 meanEdgeLength (const Mesh& mesh);
 
 double
 area (const Mesh& mesh);
 
-/** Area-weighted normals of the vertices, of length 1; zero where a vertex has no triangle with an area. */
+/** Area-weighted normals of the vertices, of length 1; zero for a vertex whose triangles have no area. */
 std::vector<Eigen::Vector3d>
 vertexNormals (const Mesh& mesh);
 } // namespace tools

@@ -39,7 +39,7 @@ variations (const Points& points, unsigned k)
   return result;
 }
 
-/** Mean of what is not NaN; NaN of nothing. */
+/** Mean of the numbers that are not NaN; NaN if there are none. */
 double
 meanOf (const std::vector<double>& numbers)
 {
@@ -100,7 +100,7 @@ meanAngle (const std::vector<Eigen::Vector3d>& normals, const std::vector<Eigen:
 {
   std::vector<double> angles;
   for (std::size_t i = 0; i < normals.size (); ++i) {
-    // atan2 keeps small angles, which acos of a cosine near 1 does not.
+    // atan2 is accurate for small angles, unlike acos of a cosine near 1.
     const double cosine = std::abs (normals[i].dot (expected[i])), sine = normals[i].cross (expected[i]).norm ();
     angles.push_back (cosine + sine > 0 ? std::atan2 (sine, cosine) * 180 / M_PI : std::nan (""));
   }

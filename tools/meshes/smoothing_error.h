@@ -20,22 +20,22 @@ struct SurfaceDistance
 SurfaceDistance
 distanceToMesh (const std::vector<Eigen::Vector3d>& points, const Mesh& mesh);
 
-/** E_A of the paper: |A1 - A0| / A0, A1 the area of the mesh with its vertices at \a points. */
+/** E_A of the paper: |A1 - A0| / A0, where A0 is the area of the mesh and A1 that with its vertices at \a points. */
 double
 areaError (const std::vector<Eigen::Vector3d>& points, const Mesh& mesh);
 
-/** E_k of the paper: the mean absolute difference of the surface variation among the \a k nearest, the point itself
-  * included, searched anew in each cloud. Points without a surface variation in both clouds are left out; NaN where all
-  * are. */
+/** E_k of the paper: the mean absolute difference of the surface variations over the \a k nearest points, the point
+  * itself included, searched in each cloud separately. Points without a surface variation in one of the clouds are left
+  * out; NaN if all are. */
 double
 variationError (const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& clean, unsigned k);
 
-/** The mean angle, whatever the signs, of normals to those of the mesh's vertices, in degrees. Points where either has
-  * no length are left out; NaN where all are. */
+/** The mean angle between normals and those of the mesh's vertices, regardless of sign, in degrees. Points with a
+  * normal of length zero are left out; NaN if all are. */
 double
 meanAngle (const std::vector<Eigen::Vector3d>& normals, const Mesh& mesh);
 
-/** As above, to the \a expected normals. */
+/** As above, for the \a expected normals. */
 double
 meanAngle (const std::vector<Eigen::Vector3d>& normals, const std::vector<Eigen::Vector3d>& expected);
 } // namespace tools

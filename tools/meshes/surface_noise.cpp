@@ -30,7 +30,7 @@ logarithm (double x)
   return exponent * 0.69314718055994531 + 2 * s * sum;
 }
 
-/** Random numbers whose bits the standard fixes, unlike those of std::normal_distribution. */
+/** Random numbers that the standard defines to the bit, unlike those of std::normal_distribution. */
 class Random
 {
 public:

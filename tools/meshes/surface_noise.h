@@ -13,8 +13,8 @@ enum class NoiseType
   GR  //!< along a uniformly random direction, by N(0, sigma)
 };
 
-/** Moves the vertices by noise of standard deviation \a sigma, in the mesh's unit. The same on every machine for the
-  * same seed; a vertex moves the same way whatever comes after it. */
+/** Moves the vertices by noise of standard deviation \a sigma, in the mesh's unit. For one seed the result is the same
+  * on every machine; how a vertex moves does not depend on those after it. */
 std::vector<Eigen::Vector3d>
 noisyVertices (const Mesh& mesh, NoiseType type, double sigma, std::uint64_t seed);
 } // namespace tools

@@ -20,7 +20,7 @@ namespace tools
 {
 namespace
 {
-/** About a million points: from here on one file keeps all threads busy. */
+/** About a million points: a file of this size or more keeps all threads busy. */
 constexpr std::uintmax_t large_file = 16u << 20;
 
 bool
@@ -28,11 +28,11 @@ isCloud (const fs::directory_entry& entry)
 {
   const std::string extension = extensionOf (entry.path ().string ());
   std::error_code error;
-  const fs::file_status status = entry.status (error); // a broken link is named when it is read
+  const fs::file_status status = entry.status (error); // a broken link fails when it is read
   return (extension == ".pcd" || extension == ".ply") && (fs::is_regular_file (status) || !fs::exists (status));
 }
 
-/** \return an empty object where there is no report that can be read */
+/** \return an empty object if there is no readable report */
 Json
 readReport (const std::string& path)
 {
@@ -96,7 +96,7 @@ void
 Batch::smoothOne (const File& file, unsigned threads)
 {
   std::error_code none;
-  fs::remove (file.report, none); // it tells of another output
+  fs::remove (file.report, none); // it describes an earlier output
   Json report = job_.smooth (file.input, file.output, threads, {}, true).report;
   report["options"] = options_;
   saveReport (report, file.report);

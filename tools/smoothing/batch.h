@@ -10,23 +10,23 @@ namespace tools
 /** Smooths all clouds of a folder into another one, under the same names, with a report beside each: "scan.pcd.json".
   *
   * Files of 16 MiB and more come first, one by one, with all threads; then the smaller ones, with one thread each, as
-  * many side by side as there are threads. A file is not smoothed again where its output is newer than itself and its
-  * report tells of the same options and version. */
+  * many in parallel as there are threads. A file is skipped if its output is newer than the file and the report on it
+  * has the same options and version. */
 class Batch
 {
 public:
-  /** \param[in] options those of the command line that change the result, each with its text
-    * \throw UsageError where both folders are the same
-    * \throw FileError where a folder cannot be used, or there is no cloud in \a input_folder */
+  /** \param[in] options those of the command line that affect the result, each with the text of its value
+    * \throw UsageError if both folders are the same
+    * \throw FileError if a folder cannot be used, or there is no cloud in \a input_folder */
   Batch (SmoothingJob& job,
          const std::string& input_folder,
          const std::string& output_folder,
          const std::map<std::string, std::string>& options);
 
-  /** Shows on the standard output how each file ended, and a summary.
-    * \param[in] report to be written, a list of all files' reports by their names; of a file that failed: its name and
-    *            exit status; empty: none
-    * \throw FileError where a file could not be smoothed; the others are */
+  /** Prints on the standard output the outcome of each file, and a summary.
+    * \param[in] report path for a list of the reports of all files in the order of their names; for a file that failed,
+    *            only its name and exit status; empty: none is written
+    * \throw FileError if a file could not be smoothed; the others are smoothed all the same */
   void
   run (const std::string& report);
 
@@ -44,7 +44,7 @@ private:
   bool
   isDone (const File& file) const;
 
-  /** Smooths files, \a at_once side by side. */
+  /** Smooths files, \a at_once in parallel. */
   void
   smooth (const std::vector<File*>& files, unsigned at_once, unsigned threads);
 

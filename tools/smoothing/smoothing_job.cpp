@@ -19,13 +19,13 @@ namespace tools
 {
 namespace
 {
-// Fewer show no noise: each neighbourhood is fitted by them exactly, or nearly so.
+// Fewer points show no noise: the fit to a neighbourhood is exact, or nearly so.
 constexpr std::size_t least_points = 10;
-// Of sigma to the spacing. Noise that is read never is so wide.
+// Ratio of sigma to the spacing. Estimates of the noise never reach it.
 constexpr float absurd_ratio = 10;
 
-/** What to say where a float is too coarse for coordinates so far from the origin; empty where it is not.
-  * \param[in] spacing 0: not known */
+/** A message if float is too coarse for coordinates as far from the origin as these; otherwise empty.
+  * \param[in] spacing 0: unknown */
 std::string
 coarsenessOf (const CloudFile& file, double spacing)
 {

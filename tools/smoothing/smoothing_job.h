@@ -13,11 +13,11 @@ namespace tools
 {
 using Json = nlohmann::ordered_json;
 
-/** What one smoothing has to tell. */
+/** What is known after a smoothing. */
 struct SmoothingResult
 {
   std::size_t points = 0;
-  /** As options that give the same smoothing again. */
+  /** The parameters used, as options that reproduce it. */
   std::string parameters;
   /** What hides the noise of the cloud from small neighbourhoods; empty: nothing. */
   std::string found;
@@ -25,7 +25,7 @@ struct SmoothingResult
   Json report;
 };
 
-/** Smooths files, all by the same options. */
+/** Smooths files, all with the same options. */
 class SmoothingJob
 {
 public:
@@ -33,11 +33,11 @@ public:
   void
   addOptions (Options& options);
 
-  /** Notes on what is not used of the command line's options. \throw UsageError where they do not fit each other */
+  /** Prints notes on options without effect, or with a surprising one. \throw UsageError for contradictory options */
   void
   check (const Options& options) const;
 
-  /** The neighbourhoods that the options ask for, in the cloud's unit. */
+  /** The neighbourhoods to search for by the options, in the cloud's unit. */
   core::NeighborQuery
   query () const
   {
@@ -46,27 +46,27 @@ public:
     return query;
   }
 
-  /** Of the output. */
+  /** The format of the output. */
   FileFormat
   format () const
   {
     return format_.format;
   }
 
-  /** Makes a cloud ready to be smoothed: adds the fields of normals where they are to be saved, to a copy.
-    * \throw core::Error where it has too few points, or no normals where the options ask for the input's */
+  /** Prepares a cloud for smoothing: if normals are to be saved, replaces it by a copy that has fields for them.
+    * \throw core::Error if it has too few points, or lacks normals although the options ask for the input's */
   void
   prepare (CloudFile& file) const;
 
-  /** Puts the smoothed cloud in the place of the cloud of \a file.
-    * \param[in] graph of query () over the cloud; empty: it is searched \throw core::Error */
+  /** Replaces the cloud of \a file by the smoothed one.
+    * \param[in] graph the neighbourhoods of query () in the cloud; null: they are searched \throw core::Error */
   void
   run (CloudFile& file,
        unsigned threads,
        const ProgressCallback& progress,
        const core::NeighborGraph::ConstPtr& graph = nullptr);
 
-  /** What the last run used, as options that give the same smoothing again. */
+  /** The parameters that the last run used, as options that reproduce it. */
   std::string
   parameters () const;
 
@@ -77,7 +77,7 @@ public:
     return search_.threads;
   }
 
-  /** \param[in] with_report looks at the noise and the displacements, too
+  /** \param[in] with_report fills in the report, noise and displacements included
     * \throw UsageError, FileError, core::Error; nothing is written then */
   SmoothingResult
   smooth (const std::string& input,
@@ -87,7 +87,7 @@ public:
           bool with_report);
 
 private:
-  /** What a user should know of the cloud that was smoothed. */
+  /** Prints a note on a problem of the cloud that was smoothed, if there is one. */
   void
   noteTrouble (const CloudFile& input) const;
 

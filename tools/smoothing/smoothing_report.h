@@ -15,15 +15,15 @@ namespace tools
 {
 using Json = nlohmann::ordered_json;
 
-/** Seconds that the parts of some work take. */
+/** Measures how many seconds each part of some work takes. */
 class Stopwatch
 {
 public:
-  /** Ends a part. */
+  /** Ends the current part. */
   void
   lap (const std::string& name);
 
-  /** The parts by their names. */
+  /** The seconds of the parts, by name. */
   const Json&
   laps () const
   {
@@ -39,16 +39,17 @@ private:
 Json
 parametersAsJson (const std::string& options);
 
-/** The noise that smoothing in rounds used, or else an estimate of it: sigma and spacing, in the cloud's unit. */
+/** The noise that smoothing in rounds used, or after the chain an estimate: sigma, its smallest and largest value and
+  * the spacing, in the cloud's unit, and what hides it. */
 Json
 noiseOf (const CloudFile& noisy, const core::SmoothingOptions& used, const core::Execution& execution);
 
-/** How far points have moved, in the cloud's unit: how many, and mean, root mean square and farthest over the
-  * finite. */
+/** How many points have moved, and how far, in the cloud's unit: mean, root mean square and maximum over the finite
+  * points. */
 Json
 displacementOf (const CloudFile& noisy, const CloudFile& smoothed);
 
-/** \throw UsageError where the name does not end in .json, FileError where it cannot be written */
+/** \throw UsageError if the name does not end in .json, FileError if the file cannot be written */
 void
 checkReport (const std::string& path);
 

@@ -38,7 +38,7 @@ CellIndex::setLoaded (std::size_t cell)
 bool
 CellIndex::isNear (const Eigen::Vector3d& place, double distance) const
 {
-  std::size_t nodes[64], count = 1; // one for every level, and its brother
+  std::size_t nodes[64], count = 1; // at most one per level, and a sibling
   nodes[0] = 0;
   while (count > 0) {
     const std::size_t node = nodes[--count];

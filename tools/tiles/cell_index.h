@@ -9,11 +9,11 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Finds the cells that are not loaded yet near a place. */
+/** Finds the cells near a place that are not loaded yet. */
 class CellIndex
 {
 public:
-  /** \param[in] cells neighbours in space follow each other, else it takes longer; they stay */
+  /** \param[in] cells of a plan; fastest if neighbours in space follow each other */
   explicit CellIndex (const std::vector<Cell>& cells);
 
   bool
@@ -31,17 +31,17 @@ public:
   void
   setLoaded (std::size_t cell);
 
-  /** Whether a cell that is not loaded may have a point within a distance. */
+  /** Whether a cell that is not loaded may have a point within a distance of a place. */
   bool
   isNear (const Eigen::Vector3d& place, double distance) const;
 
-  /** From a box to the nearest cell that is not loaded; infinity where all are. */
+  /** Distance from a box to the nearest cell that is not loaded; infinity if all are. */
   double
   distanceFrom (const Eigen::AlignedBox3d& box) const;
 
   using Use = std::function<void (std::uint32_t cell, double distance)>;
 
-  /** The cells that are not loaded and within a distance of a box, or a place. */
+  /** Calls \a use for the cells that are not loaded and lie within a distance of a box. */
   void
   forEachNear (const Eigen::AlignedBox3d& box, double distance, const Use& use) const;
 

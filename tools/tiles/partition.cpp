@@ -33,7 +33,7 @@ Partition::split (Point begin, Point end, std::size_t parts)
   Point middle = begin + static_cast<std::ptrdiff_t> (share * static_cast<double> (end - begin));
   std::nth_element (begin, middle, end, less);
   double border = (*middle)[axis];
-  if (border == box.min ()[axis]) { // then none would lie below: take the next that is larger
+  if (border == box.min ()[axis]) { // no point would lie below it: take the next larger one
     border = box.max ()[axis];
     std::for_each (begin, end,
                    [&] (const auto& p) { border = p[axis] > box.min ()[axis] ? std::min (border, p[axis]) : border; });

@@ -10,11 +10,11 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Parts space so that every part holds as many points of a sample. */
+/** Divides space into parts that hold equally many points of a sample. */
 class Partition
 {
 public:
-  /** \param[in] parts how many at most; fewer where points of the sample lie at one place */
+  /** \param[in] parts limit on their number; there are fewer if points of the sample coincide */
   Partition (std::vector<Eigen::Vector3d> sample, std::size_t parts);
 
   std::size_t
@@ -23,7 +23,7 @@ public:
     return size_;
   }
 
-  /** Parts whose numbers are near lie near each other. */
+  /** The number of the part that holds a point. Parts with close numbers lie close together. */
   std::size_t
   partOf (const Eigen::Vector3d& point) const
   {

@@ -137,7 +137,7 @@ bytesOf (const std::vector<Cell>& cells)
   return {reinterpret_cast<const char*> (cells.data ()), cells.size () * sizeof (Cell)};
 }
 
-/** What makes a plan this one: its text without the id, and its cells. */
+/** A checksum of the plan's text without the id, and of its cells. */
 std::string
 idOf (Json json, const std::vector<Cell>& cells)
 {

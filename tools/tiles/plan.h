@@ -14,7 +14,7 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** A file of points as `plan` has seen it. */
+/** A file of points as `plan` found it. */
 struct Source
 {
   std::string path;
@@ -22,15 +22,15 @@ struct Source
   /** Number of its first point among those of all files. */
   std::uint64_t first = 0;
   std::uint64_t bytes = 0;
-  /** When it was last changed, in nanoseconds. */
+  /** Time of the last change, in nanoseconds. */
   std::int64_t changed = 0;
   std::string checksum;
 };
 
-/** Points that are loaded together: some hundreds near each other. */
+/** Points that are loaded together: some hundreds that lie close to each other. */
 struct Cell
 {
-  /** Of its points, in the unit of the files. */
+  /** Bounding box of its points, in the unit of the files. */
   Eigen::AlignedBox3d box;
   /** Of its records. */
   std::uint64_t checksum = 0;
@@ -38,7 +38,8 @@ struct Cell
   std::uint64_t begin = 0;
   std::uint32_t points = 0;
   std::uint32_t tile = 0;
-  /** From the point in its middle to the farthest of the k nearest: how far a hop goes; 0 where it has fewer than k. */
+  /** How far a hop goes: from the point nearest the centre to the k-th nearest in the cell, but not beyond the radius
+    * of the search; if it has fewer than k points or k is 0, that radius, or 0 if there is none. */
   float reach = 0;
   std::uint32_t padding = 0;
 };
@@ -50,12 +51,12 @@ struct Tile
   std::uint32_t cells = 0;
 };
 
-/** What a point is in the files of tiles: its number among those of all files, its position, and a normal where that is
-  * read or written, each of floats or doubles. */
+/** Layout of a point in the files of tiles: its number among those of all files, its position, and its normal if
+  * normals are read or written; position and normal in floats or doubles. */
 class RecordLayout
 {
 public:
-  /** \param[in] normals bytes of their numbers; 0 = none */
+  /** \param[in] positions, normals bytes per number; 0 = no normals */
   explicit RecordLayout (std::size_t positions = sizeof (float), std::size_t normals = 0)
   : positions_ (positions), normals_ (normals)
   {}
@@ -111,29 +112,28 @@ private:
   std::size_t normals_;
 };
 
-/** What `plan` leaves for `run` and `merge`: in a folder, as plan.json, cells.bin and a file of points for every
-  * tile. */
+/** What `plan` leaves for `run` and `merge`: in a folder, as plan.json, cells.bin and one file of points per tile. */
 struct Plan
 {
   std::string folder;
-  /** Tells this plan from every other: results carry it. */
+  /** Distinguishes this plan from every other: results carry it. */
   std::string id;
   /** What was asked for: the options and the files. */
   std::string request;
   std::vector<Source> sources;
   /** Finite points of all files. */
   std::uint64_t points = 0;
-  /** Of the points in the files of tiles, and of results. */
+  /** Layouts of the points in the files of tiles, and of results. */
   RecordLayout record, result;
   /** See core::Positions. */
   double unit = 1;
-  /** In that unit, with all that was estimated. */
+  /** In that unit, including what was estimated. */
   core::SmoothingOptions options;
   core::NeighborQuery query;
-  /** Neighbours on other sheets are exchanged. */
+  /** Whether neighbours on other sheets are exchanged. */
   bool separate = false;
   bool save_normals = false;
-  /** As options that give the same smoothing again. */
+  /** The parameters as options that reproduce the smoothing. */
   std::string parameters;
   std::vector<Tile> tiles;
   std::vector<Cell> cells;
@@ -144,7 +144,7 @@ struct Plan
   std::string
   resultPath (std::size_t tile) const;
 
-  /** Points of all files, those that are not finite included. */
+  /** Points of all files, including those that are not finite. */
   std::uint64_t
   cloudSize () const
   {
@@ -156,11 +156,11 @@ struct Plan
 void
 savePlan (Plan& plan);
 
-/** \throw FileError where there is no complete plan */
+/** \throw FileError if there is no complete plan */
 Plan
 loadPlan (const std::string& folder);
 
-/** The cloud of a shape, without its points: for code that looks for fields. */
+/** A cloud of that shape without its points: for code that looks for fields. */
 CloudFile
 emptyCloud (const CloudShape& shape);
 } // namespace tools

@@ -11,7 +11,7 @@ namespace tools
 {
 namespace
 {
-// JSON knows no infinity.
+// JSON has no infinity.
 constexpr const char* infinite = "inf";
 
 using NoiseRegions = std::vector<core::RegionalField::Region>;

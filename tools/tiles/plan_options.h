@@ -11,12 +11,12 @@ namespace tools
 {
 using Json = nlohmann::ordered_json;
 
-/** Every number of the options, to the bit; except rounds.along_rays, which only widening sets, and tiles do not
-  * widen. */
+/** Every number of the options, exact to the bit. Except rounds.along_rays: only widening sets it, and tiles do not
+  * widen neighbourhoods. */
 Json
 optionsAsJson (const core::SmoothingOptions& options);
 
-/** \throw nlohmann::json::exception where one is missing */
+/** \throw nlohmann::json::exception if one is missing */
 core::SmoothingOptions
 optionsFromJson (const Json& json);
 

@@ -14,7 +14,7 @@ namespace tools
 {
 namespace
 {
-/** Walks hop by hop, and looks at every row once. */
+/** Walks from hop to hop, and checks every row once. */
 class Walk
 {
 public:
@@ -39,7 +39,7 @@ public:
     int hop = 0;
     for (; hop <= depth_.rows; ++hop)
       begin = look (all_.used, begin, depth_.rows - hop, hop < depth_.rows);
-    // A separated row is made of rows as they were searched, of all nodes so far and of those around.
+    // A separated row is made from searched rows: those of all nodes so far, and of the nodes around them.
     begin = 0;
     for (int farther = 0; farther <= depth_.separation; ++farther)
       begin = look (all_.searched, begin, 0, farther < depth_.separation);
@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  /** Looks at the rows of the nodes from \a begin on, and goes on to what they name. \return where those begin */
+  /** Checks the rows of nodes_ from \a begin on; if \a go_on, appends the nodes in them. \return where these begin */
   std::size_t
   look (const core::NeighborGraph& graph, std::size_t begin, int hops_left, bool go_on)
   {
@@ -76,12 +76,12 @@ private:
   bool
   isFirstVisit (std::uint32_t node)
   {
-    // To read costs less than to write, and most have been seen.
+    // Reading costs less than writing, and most nodes have been seen.
     return seen_[node].load (std::memory_order_relaxed) == 0 &&
            seen_[node].fetch_or (VISITED, std::memory_order_relaxed) == 0;
   }
 
-  /** From every loaded cell to the nearest that is not. */
+  /** Computes the distance from every loaded cell to the nearest that is not. */
   void
   findGaps ()
   {
@@ -111,7 +111,7 @@ private:
   const Neighborhoods& all_;
   const Depth& depth_;
   const core::Execution& execution_;
-  std::mutex mutex_; // of what all threads add to
+  std::mutex mutex_; // for what all threads append to
   std::vector<std::atomic<std::uint8_t>> seen_;
   std::vector<double> gaps_;
   std::vector<std::uint32_t> nodes_;
@@ -128,8 +128,8 @@ Neighborhoods::placeOf (std::uint32_t node) const
 double
 Neighborhoods::rowRadius (std::uint32_t node) const
 {
-  // Distances are compared in float, and positions are sums of two floats: no more is lost than this, nor where squares
-  // vanish.
+  // Bounds of the rounding errors: distances are compared in float, positions are sums of two floats, and squares may
+  // underflow.
   constexpr double relative = 1e-5, tiny = 1e-17;
   const double lost = std::ldexp (static_cast<double> (nodes.base[node].lpNorm<Eigen::Infinity> ()), -40) + tiny;
   const core::Row row = searched.row (node);

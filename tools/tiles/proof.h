@@ -11,7 +11,7 @@ namespace tools
 {
 struct Depth;
 
-/** A node whose row may lack points, and how many hops a computation looks on from there. */
+/** A node whose row may lack points, and how many hops a computation goes on from there. */
 struct Doubt
 {
   std::uint32_t node;
@@ -23,12 +23,12 @@ struct Neighborhoods
 {
   const Plan& plan;
   core::NeighborQuery query; // in the unit of the plan
-  /** As searched, and as used: other rows where sheets are separated. */
+  /** As searched, and as used: they differ if sheets are separated. */
   const core::NeighborGraph& searched;
   const core::NeighborGraph& used;
   /** In the unit of the plan, in the order of the nodes. */
   const core::Positions& nodes;
-  /** Of every point of the graphs' cloud. */
+  /** The cell of every point of the graphs' cloud. */
   const std::vector<std::uint32_t>& cell_of;
   const CellIndex& cells;
 
@@ -38,19 +38,19 @@ struct Neighborhoods
     return cell_of[searched.order ()[node]];
   }
 
-  /** Where a node is, in the unit of the files. */
+  /** The position of a node, in the unit of the files. */
   Eigen::Vector3d
   placeOf (std::uint32_t node) const;
 
-  /** Within how far from a node other points could change its searched row, in the unit of the files, roundings
-    * included; infinity where the row is short. */
+  /** The distance from a node within which other points could change its searched row, in the unit of the files, with a
+    * margin for rounding; the radius of the query, which may be infinite, if it has no k or the row is shorter. */
   double
   rowRadius (std::uint32_t node) const;
 };
 
-/** Walks over the rows that a computation for the \a wanted nodes reads.
-  * \return the nodes, in any order, whose searched row could be another if all points were there; empty: the
-  * computation gives what it would give for the whole cloud */
+/** Visits the rows that a computation for the \a wanted nodes reads.
+  * \return the nodes, in any order, whose searched row might differ if all points were loaded; empty: the computation
+  * gives the same as for the whole cloud */
 std::vector<Doubt>
 findDoubts (const Neighborhoods& neighborhoods,
             const std::vector<std::uint32_t>& wanted,

@@ -7,7 +7,7 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** A file that is read here and there. */
+/** A file that is read at any position. */
 class RandomAccessFile
 {
 public:
@@ -18,11 +18,11 @@ public:
   RandomAccessFile&
   operator= (const RandomAccessFile&) = delete;
 
-  /** Closes what was open. \throw FileError, with \a advice */
+  /** Opens a file, and closes the previous one. \throw FileError, with \a advice */
   void
   open (const std::string& path, const std::string& advice);
 
-  /** \return how many bytes there were, fewer at the end of the file \throw FileError */
+  /** \return how many bytes were read, fewer than \a count only at the end of the file \throw FileError */
   std::size_t
   read (std::uint64_t begin, std::uint8_t* bytes, std::size_t count) const;
 
@@ -46,7 +46,8 @@ class RecordReader
 public:
   explicit RecordReader (const Plan& plan) : plan_ (plan) {}
 
-  /** Appends the records of a cell. Quickest cell by cell. \throw FileError where the file is missing or damaged */
+  /** Appends the records of a cell. Fastest in the order of the cells. \throw FileError if a file is missing or
+    * damaged */
   void
   read (std::uint32_t cell, std::vector<std::uint8_t>& records);
 

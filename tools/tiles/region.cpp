@@ -15,9 +15,9 @@ namespace tools
 {
 namespace
 {
-// A walk takes the long hops.
+// A factor, as walks follow the longer hops.
 constexpr double hop_lengths = 1.2;
-// Of what is loaded, points that are few against it.
+// Points are few if they are fewer than one in so many of those loaded.
 constexpr std::size_t few_of = 500;
 
 double
@@ -26,7 +26,7 @@ farthest (const Eigen::Vector3d& place, const Eigen::AlignedBox3d& box)
   return (place - box.min ()).cwiseAbs ().cwiseMax ((place - box.max ()).cwiseAbs ()).norm ();
 }
 
-/** How far a hop goes about a cell: the middle one of some reaches. */
+/** How far a hop goes near a cell: by the median reach of cells around it. */
 double
 hopLength (const std::vector<Cell>& cells, std::size_t cell)
 {
@@ -38,7 +38,7 @@ hopLength (const std::vector<Cell>& cells, std::size_t cell)
   return hop_lengths * static_cast<double> (reaches[reaches.size () / 2]);
 }
 
-/** Sorts parts side by side, then merges them. */
+/** Sorts parts in parallel, then merges them. */
 template <typename Item, typename Less>
 void
 sortInParts (std::vector<Item>& items, const core::Execution& execution, const Less& less)
@@ -77,7 +77,7 @@ Region::load (const std::vector<Place>& places, const IsWanted& is_wanted, const
     readLoaded ();
     search (is_wanted, depth);
     proven = !loadAround (findDoubts (neighborhoods (), wanted_, depth, execution_));
-    enough_ *= 2; // many may be copies of others
+    enough_ *= 2; // many points may be copies of others
   }
 }
 
@@ -150,7 +150,7 @@ Region::loadFor (const Doubt& doubt, const Neighborhoods& neighborhoods)
   index_.forEachNear (box, radius, [&] (std::uint32_t cell, double distance) {
     found.push_back ({farthest (place, plan_.cells[cell].box), distance, cell});
   });
-  // So many points in these cells alone that none farther off can be among the k nearest.
+  // Once the closest cells hold enough points, points beyond these cells cannot be among the k nearest.
   std::sort (found.begin (), found.end (), [] (const Found& a, const Found& b) { return a.farthest < b.farthest; });
   std::uint64_t points = 0;
   for (const Found& cell : found) {
@@ -192,7 +192,7 @@ Region::readLoaded ()
     for (std::size_t at = keys.size (); at < records_.size () / step; ++at)
       keys.push_back ({RecordLayout::numberOf (&records_[at * step]), cell, static_cast<std::uint32_t> (at)});
   }
-  // The lowest number comes first among equal distances.
+  // Neighbours at equal distances are ordered by number.
   sortInParts (keys, execution_.silent (), [] (const Key& a, const Key& b) { return a.number < b.number; });
   std::vector<std::uint8_t> sorted (records_.size ());
   cell_of_.resize (keys.size ());
@@ -219,8 +219,8 @@ Region::search (const IsWanted& is_wanted, const Depth& depth)
       wanted_records_[i] = true;
       points.push_back (i);
     }
-  // To ask for one point after the other takes a few times as long, but of few points most of what is loaded is not
-  // asked for.
+  // Searching point by point takes a few times as long per point, but if few points are wanted, it skips most of what
+  // is loaded.
   const bool are_few = depth.rows == 0 && points.size () < size () / few_of;
   searched_ =
       are_few ? core::NeighborGraph::buildAround (positions, points, std::max (depth.separation, 0), query_, execution_)

@@ -9,30 +9,30 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** How far along the rows of neighbours something looks. */
+/** How far a computation looks along the rows of neighbours. */
 struct Depth
 {
-  /** Rows of nodes that are up to so many hops off are read, over neighbourhoods as they are used: those of one sheet
-    * where sheets are separated. Below 0: none is. */
+  /** It reads the rows of nodes that are up to so many hops away. Hops follow the neighbourhoods as used: those of one
+    * sheet if sheets are separated. Below 0: it reads none. */
   int rows = 0;
-  /** Sheets are separated: to write such a row, rows as they were searched are read so many hops farther. Below 0: they
-    * are not. */
+  /** How many hops farther the searched rows are read to separate the sheets in such a row. Below 0: sheets are not
+    * separated. */
   int separation = -1;
 };
 
-/** Some points of a plan with all around them on which a computation of that depth depends. In the rows of neighbours
-  * that the computation reads, and in their order, nothing is missing: that is proven, and more loaded until it can
-  * be. */
+/** Some points of a plan, with all points around them on which a computation of a given depth depends. The rows of
+  * neighbours that the computation reads are complete and in the right order: this is proven, and more points are
+  * loaded until it can be. */
 class Region
 {
 public:
-  /** \param[in] plan, execution used as long as this lives */
+  /** \param[in] plan, execution must outlive this object */
   Region (const Plan& plan, const core::NeighborQuery& query, const core::Execution& execution);
 
-  /** Whether a point is one of those that the computation is for. */
+  /** Whether the computation is for a given point. */
   using IsWanted = std::function<bool (std::uint32_t cell, std::uint64_t number)>;
 
-  /** Where wanted points lie: all those of a cell, or some. */
+  /** Where wanted points of a cell lie: all of its points, or some. */
   struct Place
   {
     std::uint32_t cell;
@@ -40,11 +40,11 @@ public:
   };
 
   /** \param[in] places of the wanted points
-    * \throw FileError where a file of points is damaged or missing */
+    * \throw FileError if a file of points is damaged or missing */
   void
   load (const std::vector<Place>& places, const IsWanted& is_wanted, const Depth& depth);
 
-  /** The same for all points of a tile. */
+  /** As load (), for all points of a tile. */
   void
   loadTile (std::size_t tile, const Depth& depth);
 
@@ -68,35 +68,35 @@ public:
     return nodes_;
   }
 
-  /** The normals of the files, in the order of the nodes; empty where they are not read. */
+  /** The normals of the files, in the order of the nodes; empty if they are not read. */
   core::Vectors&
   normals ()
   {
     return normals_;
   }
 
-  /** The neighbourhoods, of one sheet where they are separated. Its cloud are the records. */
+  /** The neighbourhoods, within one sheet if sheets are separated. The records are its cloud. */
   const core::NeighborGraph::ConstPtr&
   graph () const
   {
     return graph_;
   }
 
-  /** The records that the computation is for. */
+  /** For every record, whether the computation is for it. */
   const std::vector<bool>&
   wantedRecords () const
   {
     return wanted_records_;
   }
 
-  /** Their nodes, and those of which they are copies; ascending. */
+  /** The nodes of these records, and those of which they are copies; ascending. */
   const std::vector<std::uint32_t>&
   wanted () const
   {
     return wanted_;
   }
 
-  /** How often neighbours were searched until all rows were proven. */
+  /** How often neighbours were searched until all rows were proven complete. */
   std::uint64_t
   searches () const
   {
@@ -104,15 +104,15 @@ public:
   }
 
 private:
-  /** A guess. */
+  /** Loads what is likely to be needed. */
   void
   loadAround (const std::vector<Place>& places, int hops);
 
-  /** \return whether there was something to load */
+  /** \return whether there were any doubts */
   bool
   loadAround (std::vector<Doubt> doubts);
 
-  /** The cells that settle a doubt, and those that the computation is likely to look at from there. */
+  /** Loads the cells that settle a doubt, and those at which the computation is likely to look from there. */
   void
   loadFor (const Doubt& doubt, const Neighborhoods& neighborhoods);
 
@@ -147,7 +147,7 @@ private:
   core::NeighborGraph::ConstPtr searched_, graph_;
   std::vector<bool> wanted_records_;
   std::vector<std::uint32_t> wanted_;
-  std::uint64_t enough_ = 0; // points near a doubt, for all of its neighbours to be among them
+  std::uint64_t enough_ = 0; // so many points near a doubt should include all of its neighbours
   std::uint64_t searches_ = 0;
 };
 } // namespace tools

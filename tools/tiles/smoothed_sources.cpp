@@ -13,7 +13,7 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** The results of all tiles in the order of the points' numbers, a stretch at a time. */
+/** The results of all tiles in the order of the points' numbers, one window at a time. */
 class SmoothedSources::ResultsInOrder
 {
 public:
@@ -25,8 +25,8 @@ public:
       readers_.emplace_back (plan, tile, buffer);
   }
 
-  /** The record of a point; nullptr where it has none, as it is not finite. Numbers only grow from call to call.
-    * \param[out] tile it belongs to */
+  /** The record of a point; nullptr if the point is not finite. The numbers must increase from call to call.
+    * \param[out] tile to which the point belongs */
   const std::uint8_t*
   find (std::uint64_t number, std::uint32_t& tile)
   {

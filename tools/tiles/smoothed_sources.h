@@ -10,26 +10,26 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Goes through the sources of a plan, with the smoothed points in place of theirs. */
+/** Reads the sources of a plan, with the smoothed points in place of the original ones. */
 class SmoothedSources
 {
 public:
-  /** \param[in] memory bytes that it may take */
+  /** \param[in] memory limit in bytes */
   SmoothedSources (const Plan& plan, std::uint64_t memory);
   ~SmoothedSources ();
 
   static constexpr std::uint32_t no_tile = 0xffffffffu;
 
-  /** The fields of the output. */
+  /** The shape of the output for a source. */
   CloudShape
   shapeOf (const CloudShape& source) const;
 
   /** \param[in] cloud some points of the output
-    * \param[in] tiles that they belong to; no_tile where one is not finite */
+    * \param[in] tiles the tile of each point; no_tile if it is not finite */
   using Use = std::function<void (const pcl::PCLPointCloud2& cloud, const std::vector<std::uint32_t>& tiles)>;
 
-  /** Hands over the points of a source; the sources come one after the other.
-    * \throw FileError where the source is not what `plan` has seen, at the latest behind its last point */
+  /** Calls \a use with the points of a source, some at a time. To be called for the sources in their order.
+    * \throw FileError if the source is not as `plan` found it, at the latest after its last point */
   void
   read (const Source& source, const Use& use);
 

@@ -32,7 +32,7 @@ equal (const pcl::PCLPointField& a, const pcl::PCLPointField& b)
   return a.name == b.name && a.datatype == b.datatype && a.count == b.count && a.offset == b.offset;
 }
 
-/** What one cloud has and the other has not. */
+/** Lists the fields that one cloud has and the other lacks. */
 std::string
 fieldsMissing (const CloudShape& from, const CloudShape& other)
 {

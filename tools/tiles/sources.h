@@ -9,15 +9,15 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** The files of points that are given: one cloud, whose points are numbered through all of them. */
+/** The input files as one cloud, whose points are numbered consecutively through all files. */
 class Sources
 {
 public:
   /** Reads the headers.
-    * \throw FileError where a file cannot be read, is given twice, or has other fields than the first */
+    * \throw FileError if a file cannot be read, is given twice, or has other fields than the first */
   explicit Sources (const std::vector<std::string>& paths);
 
-  /** The fields of all files. */
+  /** The shape of the first file; all have the same fields. */
   const CloudShape&
   shape () const
   {
@@ -33,12 +33,12 @@ public:
   /** \param[in] first number of the first point of \a points, of which there are \a count */
   using Use = std::function<void (std::uint64_t first, const std::uint8_t* points, std::size_t count)>;
 
-  /** Hands over all points in order, some at a time. \throw FileError where a file is damaged or has changed
+  /** Calls \a use with all points in order, some at a time. \throw FileError if a file is damaged or has changed
     * meanwhile */
   void
   read (const Use& use);
 
-  /** Complete once all has been read. */
+  /** Complete after read (). */
   const std::vector<Source>&
   list () const
   {
@@ -53,11 +53,11 @@ private:
   std::vector<Source> list_;
 };
 
-/** How many points to take at a time: some megabytes. */
+/** How many points to read at a time: some megabytes. */
 std::size_t
 pointsAtOnce (const CloudShape& shape);
 
-/** Bytes and time of the last change of a file. \throw FileError where it is missing */
+/** Size in bytes of a file, and the time of its last change. \throw FileError if it is missing */
 std::pair<std::uint64_t, std::int64_t>
 stateOf (const std::string& path);
 } // namespace tools

@@ -10,13 +10,13 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Buckets of bytes that are gathered side by side and do not fit into memory: they wait in one file that has no name and
-  * goes with the process, however that ends. */
+/** Buckets of bytes that are filled at the same time and do not fit into memory. They are kept in one file that has no
+  * name and disappears with the process, however that ends. */
 class SpillFile
 {
 public:
-  /** \param[in] folder where there is room for it
-    * \param[in] memory bytes of all buffers \throw FileError */
+  /** \param[in] folder where there is room for the file
+    * \param[in] memory bytes of all buffers together \throw FileError */
   SpillFile (const std::string& folder, std::size_t buckets, std::size_t memory);
   ~SpillFile ();
 
@@ -24,7 +24,7 @@ public:
   SpillFile&
   operator= (const SpillFile&) = delete;
 
-  /** \throw FileError where the disk is full */
+  /** \throw FileError if the disk is full */
   void
   add (std::size_t bucket, std::string_view bytes);
 
@@ -34,7 +34,7 @@ public:
     return buckets_[bucket].size;
   }
 
-  /** Hands over what was added to a bucket, in order, in pieces of whole add ()s. */
+  /** Calls \a use with what was added to a bucket, in order, in pieces that do not split what one add () added. */
   void
   read (std::size_t bucket, const std::function<void (std::string_view)>& use);
 

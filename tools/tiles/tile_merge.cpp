@@ -65,7 +65,7 @@ private:
     checkNamesDiffer ();
   }
 
-  /** Sources stay, so that this can be run again. */
+  /** Refuses to replace a source, so that this can be run again. */
   void
   checkName (const std::string& path) const
   {

@@ -10,20 +10,20 @@ namespace tools
 /** What `merge` is asked for. */
 struct MergeRequest
 {
-  /** One of these: a folder for files with the names of the sources; one file; a folder for a file of every tile. */
+  /** One of these is set: a folder for files named like the sources; one file; a folder for one file per tile. */
   std::string output_folder, output, tile_folder;
   FileFormat format = FileFormat::BINARY;
   std::uint64_t memory = 0;
 };
 
-/** Puts the results of tiles in the place of the points of the sources, with their order and all other fields.
-  * \throw FileError where a result or a source is missing, damaged or has changed; core::Error where no point had a
+/** Writes the points of the sources as the results of the tiles have them, in their order and with all other fields.
+  * \throw FileError if a result or a source is missing, damaged or has changed; core::Error if no point had a
   * normal */
 void
 mergeTiles (const Plan& plan, const MergeRequest& request);
 
-/** The tiles without a result that is complete.
-  * \param[out] with_normal points that had a normal to begin with */
+/** The tiles without a complete result.
+  * \param[out] with_normal points that had a normal to begin with, if all tiles are complete */
 std::vector<std::size_t>
 unfinishedTiles (const Plan& plan, std::uint64_t& with_normal);
 } // namespace tools

@@ -21,14 +21,14 @@ namespace tools
 namespace
 {
 constexpr double share_of_planes = .1;
-constexpr double share_of_spacing = .2;     // a step of the coordinates that makes noise
-constexpr float ratio_of_wide_noise = .36f; // of sigma to the spacing; core/noise/wide_noise.h asks thinner clouds, too
+constexpr double share_of_spacing = .2;     // from here on a step of the coordinates is noise
+constexpr float ratio_of_wide_noise = .36f; // sigma to spacing; core/noise/wide_noise.h looks at thinned clouds, too
 
-/** A cloud that is seen in tiles. */
+/** A cloud that is read in tiles. */
 class TiledCloud : public core::SmoothingPreparation
 {
 public:
-  /** \param[in,out] plan kept, as everything else, while this is used */
+  /** \param[in,out] plan must, like all arguments, outlive this object */
   TiledCloud (Plan& plan,
               const std::vector<SamplePoint>& sample,
               std::uint32_t sheet_limit,
@@ -36,7 +36,8 @@ public:
   : plan_ (plan), sample_ (sample), sheet_limit_ (sheet_limit), execution_ (execution)
   {}
 
-  /** Points often lie in planes exactly, or the noise is wide. Known after complete. */
+  /** Whether many points lie in planes exactly, the coordinates are rounded, or the noise is wide. Known after
+    * complete (). */
   bool
   mayNeedWidening () const
   {
@@ -109,7 +110,7 @@ private:
     return all;
   }
 
-  /** A copy may be in one tile, and its node in another: it counts there. */
+  /** The wanted nodes, less those of which only a copy is wanted: these count in their own tile. */
   static Nodes
   withoutCopies (const Region& region)
   {
@@ -119,7 +120,7 @@ private:
     return nodes;
   }
 
-  /** Calls \a body with the points of the sample in one tile after the other. */
+  /** Calls \a body, tile by tile, with the points of the sample. */
   template <typename Body>
   void
   forEachTile (const core::NeighborQuery& query, const Depth& depth, const Body& body)
@@ -163,7 +164,7 @@ prepare (Plan& plan,
 {
   TiledCloud cloud (plan, sample, sheet_limit, execution);
   cloud.complete (plan.options);
-  // Wider neighbourhoods might need all of the cloud for one tile.
+  // With wider neighbourhoods, one tile might need all of the cloud.
   const bool widens = std::exchange (plan.options.widen_neighborhoods, false) && plan.options.robust;
   if (widens && cloud.mayNeedWidening ())
     note ("neighbourhoods may be too narrow to show the surface, for many points lie in planes with those around them, "

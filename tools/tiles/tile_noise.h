@@ -7,10 +7,10 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Completes the options of a plan with what is to be estimated, as core::prepareSmoothing does it for a whole cloud.
+/** Estimates what the options of a plan leave open, as core::prepareSmoothing does for a whole cloud.
   * \param[in,out] plan with its tiles written
   * \param[in] sample the points from which the noise is estimated
-  * \param[in] sheet_limit of the hashes of those of them by which sheets are looked for */
+  * \param[in] sheet_limit limit on the hashes of those points by which sheets are looked for */
 void
 prepare (Plan& plan,
          const std::vector<SamplePoint>& sample,

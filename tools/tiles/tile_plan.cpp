@@ -28,12 +28,12 @@ namespace tools
 {
 namespace
 {
-// What the program and its libraries take before there is a point.
+// What the program and its libraries take without any points.
 constexpr std::uint64_t program_bytes = 120u << 20;
-// The tiles are a little smaller than they may be: a sample decides where they part.
+// Tiles are planned a little smaller than they may be, as they are divided by a sample.
 constexpr double filling = 0.95;
 
-/** Also what a process that was killed outright has left, under temporary names. No cloud has such a name. */
+/** True also for temporary files that a killed process has left. No cloud has such a name. */
 bool
 isOfPlan (const std::string& name)
 {
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  /** \throw core::Error where the fields are not there that are needed */
+  /** \throw core::Error if a required field is missing, or the cloud is empty */
   void
   setLayouts ()
   {
@@ -115,7 +115,7 @@ private:
   clearFolder ()
   {
     makeFolder ();
-    std::vector<fs::path> old {plan_.folder + "/plan.json"}; // without it nothing else there is worth anything
+    std::vector<fs::path> old {plan_.folder + "/plan.json"}; // first: without it the rest is worthless
     std::error_code error;
     for (fs::directory_iterator entry (plan_.folder, error); entry != fs::directory_iterator ();
          entry.increment (error)) {
@@ -131,7 +131,7 @@ private:
       failIn (plan_.folder, "cannot be cleared", error);
   }
 
-  /** Reads all points once: their unit, and a sample by which to part them. */
+  /** Reads all points once, for their unit and a sample by which to divide them. */
   void
   look ()
   {
@@ -140,7 +140,7 @@ private:
     auto next = wanted.begin ();
     std::vector<Eigen::Vector3d> of_unit;
     const std::uint64_t stride = std::max<std::uint64_t> (1, sources_.size () / sampleSize ());
-    // Not every n-th: scanners write lines of equal length.
+    // Not simply every n-th: scanners write lines of equal length.
     const auto sampled = [stride] (std::uint64_t i) { return i * stride + i * 2654435761u % stride; };
     std::uint64_t next_sampled = 0;
     sources_.read ([&] (std::uint64_t first, const std::uint8_t* points, std::size_t count) {
@@ -175,7 +175,7 @@ private:
     return request_.max_points;
   }
 
-  /** Reads all points again, and puts those of every part of space into a bucket. */
+  /** Reads all points again, and sorts them into buckets, one per part of space. */
   void
   distribute ()
   {
@@ -207,13 +207,13 @@ private:
   void
   writeTiles ()
   {
-    // Cells of some hundreds of points, enough to tell how far the neighbours are, but not so many cells that their
-    // list grows beyond measure.
+    // Cells of some hundreds of points: enough to see how far the neighbours are, and not so few that the list of cells
+    // becomes too long.
     const std::uint64_t most_cells = std::max<std::uint64_t> (request_.memory / 8 / (3 * sizeof (Cell)), 1024);
     const std::uint64_t cell_points = std::max ({std::min<std::uint64_t> (maxPoints () / 256, 256),
                                                  2 * std::uint64_t (plan_.query.k) + 1, plan_.points / most_cells});
     TileWriter writer (plan_, maxPoints (), cell_points, hashes_.limitFor (core::noise_sample_size), execution_);
-    // A bucket that is larger than the sample made expect comes in pieces.
+    // A bucket that is larger than expected from the sample is read in pieces.
     const std::uint64_t piece = std::max<std::uint64_t> (request_.memory / 3 / (2 * plan_.record.bytes () + 64), 4096);
     for (std::size_t bucket = 0; bucket < bucket_count_; ++bucket) {
       std::vector<std::uint8_t> records;
@@ -239,7 +239,7 @@ private:
   core::Execution execution_;
   Sources sources_;
   Plan plan_;
-  std::optional<VectorLayout> positions_, normals_; // in the files
+  std::optional<VectorLayout> positions_, normals_; // layouts in the files
   std::vector<Eigen::Vector3d> partition_sample_;
   std::unique_ptr<SpillFile> buckets_;
   std::size_t bucket_count_ = 0;
@@ -280,11 +280,11 @@ std::uint64_t
 pointsWithin (std::uint64_t memory, const core::SmoothingOptions& options, const core::NeighborQuery& query)
 {
   core::SmoothingOptions noisy = options;
-  noisy.rounds.noise = {1, 1}; // with all filters
+  noisy.rounds.noise = {1, 1}; // so that all filters run
   const double k = query.k > 0 ? query.k : 64;
   const double bytes = 250 + 4 * k;
   const double loaded = static_cast<double> (std::max (memory, 2 * program_bytes) - program_bytes) / bytes;
-  // A square of a surface, with a halo along its sides; a hop goes as far as the k-th neighbour.
+  // A tile is a square of the surface with a halo along its sides; a hop goes as far as the k-th neighbour.
   const double halo = 1.2 * (core::smoothingDepth (noisy) + 3) * std::sqrt (k / M_PI);
   const double side = std::max (std::sqrt (loaded) - 2 * halo, std::sqrt (loaded) / 2);
   return static_cast<std::uint64_t> (side * side);

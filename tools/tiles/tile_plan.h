@@ -15,29 +15,29 @@ struct PlanRequest
 {
   std::string folder;
   std::vector<std::string> files;
-  /** In the unit of the files; what is to be estimated below 0. */
+  /** In the unit of the files; below 0 for what is to be estimated. */
   core::SmoothingOptions options;
   core::NeighborQuery query;
   bool save_normals = false;
-  /** Of a tile; 0 = as many as the memory allows `run`. */
+  /** Limit per tile; must be set: pointsWithin () gives as many as the memory allows `run`. */
   std::uint64_t max_points = 0;
   std::uint64_t memory = 0;
   unsigned threads = 0;
-  /** All of this as text. */
+  /** What was asked for, as text. */
   std::string text;
 };
 
-/** Parts the points of files in tiles. Nothing is left in the folder where it fails or is interrupted.
-  * \param[in] parameters makes a line of options of the options that were found, in the unit of the files
+/** Divides the points of files into tiles. Leaves nothing in the folder if it fails or is interrupted.
+  * \param[in] parameters turns the options that were found, in the unit of the files, into a line of text
   * \throw FileError, core::Error */
 Plan
 makePlan (const PlanRequest& request, const std::function<std::string (const core::SmoothingOptions&)>& parameters);
 
-/** The plan that is in the folder, where it is one for that request and the files are as they were. */
+/** The plan in the folder, if it was made for the same request and the files are unchanged. */
 std::optional<Plan>
 findPlan (const PlanRequest& request);
 
-/** Points of a tile that `run` can smooth within some memory, with what a tile of a surface needs around it. */
+/** How many points of a tile `run` can smooth within some bytes of memory, with those that it needs around the tile. */
 std::uint64_t
 pointsWithin (std::uint64_t memory, const core::SmoothingOptions& options, const core::NeighborQuery& query);
 } // namespace tools

@@ -13,7 +13,7 @@ namespace tools
 {
 namespace
 {
-/** What a file of a result begins with; behind the records follows a checksum of all before. */
+/** Beginning of a result file; after the records follows a checksum of everything before it. */
 struct Header
 {
   char magic[8];
@@ -102,7 +102,7 @@ ResultReader::peek ()
 void
 ResultReader::refill ()
 {
-  RandomAccessFile file; // opened anew: there may be more tiles than files that may be open
+  RandomAccessFile file; // opened each time: there may be more tiles than files that may be open
   file.open (path_, "run this tile again");
   const auto count = static_cast<std::size_t> (std::min<std::uint64_t> (at_once_, left_));
   buffer_.resize (count * step_);

@@ -7,22 +7,22 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** How the result of a tile stands. */
+/** State of the result of a tile. */
 enum class ResultState
 {
   MISSING,
-  DAMAGED, //!< or of another plan
+  DAMAGED, //!< or from another plan
   COMPLETE
 };
 
-/** Writes the result of a tile: it is there once it is complete.
-  * \param[in] records of plan.result, ascending by their numbers
+/** Writes the result of a tile; the file appears once it is complete.
+  * \param[in] records in the layout plan.result, in ascending order of their numbers
   * \param[in] with_normal how many of the points had a normal to begin with \throw FileError */
 void
 saveResult (const Plan& plan, std::size_t tile, const std::vector<std::uint8_t>& records, std::uint64_t with_normal);
 
-/** Reads all of it.
-  * \param[out] with_normal as given to saveResult, where the result is complete */
+/** Reads and checks all of a result.
+  * \param[out] with_normal as given to saveResult, if the result is complete */
 ResultState
 checkResult (const Plan& plan, std::size_t tile, std::uint64_t& with_normal);
 
@@ -33,7 +33,7 @@ public:
   /** \param[in] memory bytes of its buffer */
   ResultReader (const Plan& plan, std::size_t tile, std::size_t memory);
 
-  /** The next record; nullptr behind the last. \throw FileError */
+  /** The next record; nullptr after the last. \throw FileError */
   const std::uint8_t*
   peek ();
 
@@ -50,8 +50,8 @@ private:
   std::string path_;
   std::size_t step_;
   std::uint64_t left_;  // records that are not in the buffer yet
-  std::uint64_t begin_; // of those, in the file
-  std::size_t at_once_; // records
+  std::uint64_t begin_; // where these begin in the file
+  std::size_t at_once_; // records per refill
   std::vector<std::uint8_t> buffer_;
   std::size_t at_ = 0;
 };

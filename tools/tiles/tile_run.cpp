@@ -70,7 +70,7 @@ private:
     const std::vector<bool>& selected = region_.wantedRecords ();
     const core::Elements points = region_.graph ()->points ();
     writeDisplacements (displacements_, plan_.unit, points, selected, plan_.record.positions (), records.data ());
-    std::vector<std::size_t> place_of (region_.size ()); // in points
+    std::vector<std::size_t> place_of (region_.size ()); // index in points
     for (std::size_t place = 0; place < points.size (); ++place)
       place_of[points[place]] = place;
 
@@ -93,7 +93,7 @@ private:
   std::size_t tile_;
   core::Execution execution_;
   Region region_;
-  core::Vectors displacements_, normals_; // of region_.graph ()->points ()
+  core::Vectors displacements_, normals_; // one per element of region_.graph ()->points ()
   std::uint64_t with_normal_ = 0;
 };
 } // namespace

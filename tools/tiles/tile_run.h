@@ -7,7 +7,7 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** What smoothing a tile took. */
+/** What it took to smooth a tile. */
 struct TileRun
 {
   std::uint64_t points = 0;

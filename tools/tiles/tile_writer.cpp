@@ -57,7 +57,7 @@ TileWriter::split (Range range, std::size_t most, std::vector<Range>& parts)
   int axis = 0;
   box.sizes ().maxCoeff (&axis);
   const std::size_t middle = range.begin + (range.end - range.begin) / 2;
-  // Points at one place may part: whatever touches one of them loads them all.
+  // Points at one place may end up in different parts: whatever touches one of them loads all of these.
   Point* const points = points_.data ();
   core::selectNth (points + range.begin, points + middle, points + range.end,
                    [axis] (const Point& point) { return point.place[axis]; });

@@ -15,22 +15,22 @@ struct SamplePoint
   Eigen::Vector3d place;
 };
 
-/** Parts points in tiles and cells, writes the files of tiles, and notes them in the plan. */
+/** Divides points into tiles and cells, writes the files of the tiles, and enters them in the plan. */
 class TileWriter
 {
 public:
-  /** \param[in,out] plan complete but for tiles and cells; used as long as this lives
-    * \param[in] max_points of a tile
-    * \param[in] cell_points most of a cell
-    * \param[in] sample_limit of the hashes of the points in the sample */
+  /** \param[in,out] plan complete except for tiles and cells; must outlive this object
+    * \param[in] max_points limit per tile
+    * \param[in] cell_points limit per cell
+    * \param[in] sample_limit limit on the hashes of the points in the sample */
   TileWriter (Plan& plan,
               std::uint64_t max_points,
               std::size_t cell_points,
               std::uint32_t sample_limit,
               const core::Execution& execution);
 
-  /** \param[in] records of plan.record, in the order of their numbers: one tile's, or those of several \throw
-    * FileError */
+  /** \param[in] records in the layout plan.record, in the order of their numbers, of one or several tiles
+    * \throw FileError */
   void
   add (const std::vector<std::uint8_t>& records);
 
@@ -60,7 +60,7 @@ private:
   void
   writeTile (const std::vector<std::uint8_t>& records, Range tile);
 
-  /** The cells of a tile, side by side. */
+  /** Makes the cells of a tile, in parallel. */
   std::vector<std::pair<Range, Cell>>
   makeCells (Range range);
 
@@ -76,7 +76,7 @@ private:
   std::uint32_t sample_limit_;
   const core::Execution& execution_;
   std::vector<Point> points_;
-  std::vector<bool> in_sample_; // records
+  std::vector<bool> in_sample_; // per record
   std::vector<SamplePoint> sample_;
 };
 } // namespace tools

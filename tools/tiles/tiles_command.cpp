@@ -30,7 +30,7 @@ halfOfMemory ()
          2;
 }
 
-/** "3", "3-5" or "3/8": numbers before and behind what parts them; false where the text is none of these. */
+/** "3", "3-5" or "3/8": the numbers before and after the separator; false if the text is none of these. */
 bool
 parseTiles (const std::string& text, std::size_t& first, char& kind, std::size_t& second)
 {
@@ -163,7 +163,7 @@ TilesCommand::readRequest (const Options& options)
   request_.memory = memory_;
   if (request_.max_points == 0)
     request_.max_points = pointsWithin (memory_, request_.options, request_.query);
-  for (const auto& [name, text] : options.given ()) // what follows from this machine's memory is not asked for
+  for (const auto& [name, text] : options.given ()) // not what follows from this machine's memory
     request_.text += name == "-threads" ? "" : name + " " + text + " ";
   for (const std::string& file : request_.files)
     request_.text += "\n" + std::filesystem::absolute (file).lexically_normal ().string ();

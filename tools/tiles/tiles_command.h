@@ -31,7 +31,7 @@ private:
   void
   addMergeOptions (Options& options);
 
-  /** What plan is asked to do. */
+  /** Reads what plan is asked to do. */
   void
   readRequest (const Options& options);
 
@@ -47,11 +47,11 @@ private:
   void
   list (const Options& options);
 
-  /** The numbers of the tiles that -tile names. */
+  /** The numbers of the tiles that -tile chooses. */
   std::vector<std::size_t>
   chosenTiles (std::size_t count) const;
 
-  /** \throw UsageError where an option was given that the step does not know, or a file too many */
+  /** \throw UsageError if an option was given that the step does not know, or too many files */
   void
   requireOnly (const Options& options, const std::string& step, const std::vector<std::string>& known) const;
 

@@ -10,12 +10,12 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** From light grey, in which the light on a surface shows, over yellow to dark red. NaN is blue. */
+/** From light grey, on which shading is visible, through yellow to dark red. NaN is blue. */
 vtkSmartPointer<vtkLookupTable>
 makeColours ();
 
-/** What nineteen of twenty values do not exceed: the end of the scale, as a few points off the surface would take it
-  * all. Values that are not finite do not count; above 0. */
+/** The end of the scale: the 95th percentile of the finite values, as a few points off the surface would otherwise
+  * take up all of it. Above 0. */
 double
 scaleLimit (std::vector<float> values);
 

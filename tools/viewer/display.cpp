@@ -34,7 +34,7 @@ displayThere ()
   return display != nullptr;
 }
 
-/** The number that the server writes when it is ready; empty where it never does. */
+/** The display number that the server writes when it is ready; empty if it never does. */
 std::string
 numberFrom (int pipe)
 {
@@ -68,9 +68,9 @@ Display::startServer ()
   int ends[2];
   if (pipe (ends) != 0)
     throw core::Error ("no pipe can be made for a display: close some files");
-  fcntl (ends[0], F_SETFD, FD_CLOEXEC); // the server must not be a reader of its own number
+  fcntl (ends[0], F_SETFD, FD_CLOEXEC); // the server must not inherit the reading end
   const std::string end = std::to_string (ends[1]);
-  // It ends with its last client, or where nobody reads its number: it does not outlive a program that is killed.
+  // It ends with its last client, or if nobody reads its number: it does not outlive a program that is killed.
   const char* const words[] = {"Xvfb",     "-displayfd", end.c_str (), "-screen",    "0",
                                "64x64x24", "-nolisten",  "tcp",        "-terminate", nullptr};
   posix_spawn_file_actions_t actions;
@@ -100,7 +100,7 @@ Display::stopServer ()
     XCloseDisplay (connection_);
   kill (server_, SIGTERM);
   waitpid (server_, nullptr, 0);
-  unsetenv ("DISPLAY"); // there was none, and the number may soon be another server's
+  unsetenv ("DISPLAY"); // it was not set before, and another server may get the number
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -9,14 +9,14 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** A display for VTK, which ends the program where it finds none. */
+/** A display for VTK, which ends the program if it finds none. */
 class Display
 {
 public:
-  /** Takes the display that there is.
-    * \param[in] off_screen without one, starts Xvfb, a display that nobody sees, until this object goes or the program
-    * ends, however it does
-    * \throw core::Error that says what to do where there is none */
+  /** Uses the existing display, if there is one.
+    * \param[in] off_screen if there is none, starts Xvfb, a virtual display, until this object is destroyed or the
+    * program ends, in whatever way
+    * \throw core::Error that says what to do, if there is no display */
   explicit Display (bool off_screen);
 
   ~Display ();
@@ -33,7 +33,7 @@ private:
   stopServer ();
 
   pid_t server_ = -1;
-  _XDisplay* connection_ = nullptr; // to the server, which ends when its last client goes
+  _XDisplay* connection_ = nullptr; // to the server, which ends with its last client
 };
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -10,7 +10,7 @@ namespace tools
 namespace
 {
 constexpr std::size_t most_points = 20000;
-constexpr std::size_t outer_share = 500; // one of as many may lie outside
+constexpr std::size_t outer_share = 500; // one point in so many may lie outside, at either end
 
 double
 nth (std::vector<double>& numbers, std::size_t place)
@@ -43,7 +43,7 @@ Extent::cameraPlace (const Eigen::Matrix3d& axes, double across, double upward) 
   Eigen::Vector3d place (0, 0, 0); // in the camera's axes
   std::vector<double> needed (points_.size ()), slopes (points_.size ());
   const std::size_t outer = points_.size () / outer_share;
-  for (int round = 0; round < 10; ++round) { // what is near looks larger: where the middle is depends on the place
+  for (int round = 0; round < 10; ++round) { // near points look larger, so the middle of the view depends on the place
     std::transform (points_.begin (), points_.end (), needed.begin (), [&] (const Eigen::Vector3d& point) {
       const Eigen::Vector3d seen = axes.transpose () * point - place;
       return seen.z () + place.z () + std::max (std::abs (seen.x ()) / across, std::abs (seen.y ()) / upward);
@@ -55,7 +55,7 @@ Extent::cameraPlace (const Eigen::Matrix3d& axes, double across, double upward) 
         return seen.z () < 0 ? -seen[d] / seen.z () : 0;
       });
       const double middle = (nth (slopes, outer) + nth (slopes, slopes.size () - 1 - outer)) / 2;
-      place[d] += place.z () * middle / 2; // half of it: near points would overshoot
+      place[d] += place.z () * middle / 2; // half of it, or near points would overshoot
     }
   }
   return axes * place;

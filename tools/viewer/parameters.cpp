@@ -17,13 +17,13 @@ namespace tools
 {
 namespace
 {
-/** Keys that change an option whatever is selected: a small letter makes it smaller, a capital larger. */
+/** Keys that change an option, whichever is selected: a small letter makes it smaller, a capital larger. */
 const std::map<char, std::string> letters {
     {'k', "-k"},           {'i', "-point_iterations"}, {'n', "-normal_iterations"},
     {'s', "-noise_sigma"}, {'t', "-sheet_distance"},   {'d', "-max_displacement"}};
 const std::array<std::string, 3> presets {"default", "fast", "paper"};
 
-/** Those that nobody changes to see what happens. */
+/** Options that are not shown: nobody would try other values. */
 const std::vector<std::string> hidden {"-seed", "-oriented", "-max_radius"};
 
 constexpr double factor = 1.25;
@@ -136,17 +136,17 @@ ViewerParameters::step (int direction)
     const auto at = std::find (list.begin (), list.end (), text) - list.begin ();
     const auto count = static_cast<std::ptrdiff_t> (list.size ());
     const std::string& word = list[static_cast<std::size_t> ((at + direction + count) % count)];
-    if (selected_ == "-preset") // what was set for one says nothing for another, and would choose the chain
+    if (selected_ == "-preset") // options set for one preset do not suit another, and may choose the chain
       options_ = {};
     options_[selected_] = word;
   }
   else if (isInteger (selected_))
     options_[selected_] = integerStep (selected_, text, direction, rounds);
-  else if (text == "inf") // from no limit to the first that there is
+  else if (text == "inf") // from no limit back to the default
     options_.erase (selected_);
   else
     options_[selected_] = numberStep (selected_, text, direction);
-  // Given alone, one sigma would hold everywhere.
+  // Given alone, -noise_sigma would make the noise even.
   const std::pair<std::string, std::string> varies ("-noise_varies", "1");
   if (selected_ == "-noise_sigma" && std::find (used_.begin (), used_.end (), varies) != used_.end ())
     options_.insert (varies);

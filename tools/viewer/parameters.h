@@ -12,45 +12,45 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** The options of a smoothing, as keys change them. */
+/** The options of a smoothing, which keys change. */
 class ViewerParameters
 {
 public:
-  /** By their names, each with its text. */
+  /** Options by name, each with the text of its value. */
   using Given = std::map<std::string, std::string>;
 
   /** \param[in] given the options of the command line
-    * \param[in] known tells which words an option takes */
+    * \param[in] known defines the words that an option accepts */
   ViewerParameters (const Given& given, const Options& known);
 
-  /** Tells what the last smoothing used, as options: what there is to change. */
+  /** Sets what the last smoothing used, as options: these can be selected and changed. */
   void
   setUsed (const std::string& options);
 
-  /** \param[in] key what it stands for, "k", "K", or its name in X, "Up", "BackSpace"
-    * \return whether the options are others now; to select one changes none */
+  /** \param[in] key its character ("k", "K") or its name in X ("Up", "BackSpace")
+    * \return whether the options have changed; selecting one does not change them */
   bool
   press (const std::string& key);
 
-  /** What to smooth with. */
+  /** The options to smooth with. */
   const Given&
   options () const
   {
     return options_;
   }
 
-  /** Options as before a change that turned out to be none to smooth with. */
+  /** Undoes the last change, for when it turns out to be invalid. */
   void
   takeBack ()
   {
     options_ = before_;
   }
 
-  /** A line each: what was used, the selected one marked ">", those that were set marked "*". */
+  /** What was used, one option per line; the selected one is marked ">", those that were set "*". */
   std::string
   text () const;
 
-  /** What the keys do, a line each. */
+  /** What the keys do, one per line. */
   static const char*
   help ();
 
@@ -58,7 +58,7 @@ private:
   void
   select (const std::string& option);
 
-  /** Makes the selected option larger, or smaller, or the next word. */
+  /** Makes the selected option larger or smaller, or takes its next or previous word. */
   void
   step (int direction);
 

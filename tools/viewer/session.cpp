@@ -17,11 +17,11 @@ namespace tools
 {
 namespace
 {
-constexpr int display_k = 16;          // of curvature, and the noise that tells the spacing
-constexpr int normals_k = 8;           // few, that noise shows
-constexpr std::size_t most_graphs = 6; // 13 MB each, of 100,000 points with 32 neighbours
+constexpr int display_k = 16;          // for curvature, and the estimate of the spacing
+constexpr int normals_k = 8;           // few, so that noise shows
+constexpr std::size_t most_graphs = 6; // 13 MB each for 100,000 points with 32 neighbours
 
-/** The options as a command line. */
+/** Parses options as if they were on a command line. */
 void
 parse (Options& known, const std::map<std::string, std::string>& options)
 {

@@ -13,7 +13,7 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** What colours tell. */
+/** What the colours show. */
 enum class Colouring
 {
   DISPLACEMENT, //!< how far a point has moved
@@ -21,7 +21,7 @@ enum class Colouring
   DISTANCE      //!< to the mesh
 };
 
-/** A surface to draw: the finite points of a cloud, and normals to light them by. */
+/** A surface to draw: the finite points of a cloud, and their normals for shading. */
 struct Surface
 {
   core::Positions nodes;
@@ -35,7 +35,7 @@ struct Surface
   }
 };
 
-/** A cloud that is smoothed again and again. Neighbourhoods are searched once for every k and radius. */
+/** A cloud that is smoothed repeatedly. The neighbourhoods of the latest few values of k and radius are kept. */
 class ViewerSession
 {
 public:
@@ -43,8 +43,8 @@ public:
     * \throw FileError, core::Error */
   ViewerSession (const std::string& cloud_path, const std::string& mesh_path);
 
-  /** Smooths the cloud. \param[in] options of the method, by their names
-    * \throw UsageError, core::Error: all stays as it was */
+  /** Smooths the cloud. \param[in] options of the method, by name
+    * \throw UsageError, core::Error: nothing changes then */
   void
   smooth (const std::map<std::string, std::string>& options);
 
@@ -80,14 +80,14 @@ public:
     return spacing_;
   }
 
-  /** What the last smoothing used, as options that give it again. */
+  /** What the last smoothing used, as options that reproduce it. */
   const std::string&
   parameters () const
   {
     return parameters_;
   }
 
-  /** How long the last smoothing took, the search of neighbours included. */
+  /** How long the last smoothing took, the search for neighbours included. */
   double
   seconds () const
   {
@@ -100,15 +100,15 @@ public:
     return mesh_distance_.has_value ();
   }
 
-  /** Triangles between the nodes; none unless the mesh has a vertex for every point of the cloud. */
+  /** Triangles between the nodes; empty unless the mesh has one vertex per point of the cloud. */
   const std::vector<Mesh::Triangle>&
   triangles () const
   {
     return triangles_;
   }
 
-  /** A number for every node of a surface of this session, in the cloud's unit where it is a length. Displacements are
-    * the same for both. */
+  /** One value per node of a surface of this session, in the cloud's unit if it is a length. Displacements are the same
+    * for both surfaces. */
   std::vector<float>
   values (const Surface& surface, Colouring colouring) const;
 
@@ -140,7 +140,7 @@ private:
 
   CloudFile file_, result_;
   core::Positions cloud_;                       // of file_
-  core::NeighborGraph::ConstPtr display_graph_; // for normals to light by, and curvature
+  core::NeighborGraph::ConstPtr display_graph_; // for normals to shade by, and curvature
   Surface noisy_, smoothed_;
   std::list<KeptGraph> graphs_; // the latest first
   std::optional<MeshDistance> mesh_distance_;

@@ -15,7 +15,7 @@ vtkStandardNewMacro (ViewerStyle);
 void
 ViewerStyle::OnKeyDown ()
 {
-  // PCL's interactor names the key, whatever Shift makes of it.
+  // PCL's interactor reports the key regardless of Shift.
   const int code = static_cast<unsigned char> (Interactor->GetKeyCode ());
   const char* name = Interactor->GetKeySym ();
   const bool shift = Interactor->GetShiftKey () != 0;

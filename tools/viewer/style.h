@@ -10,14 +10,14 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** PCL's mouse, and keys of one's own: PCL's would switch handlers that there are none of. */
+/** PCL's mouse interaction with keys of our own: PCL's switch colour handlers, and there are none here. */
 class ViewerStyle : public pcl::visualization::PCLVisualizerInteractorStyle
 {
 public:
   static ViewerStyle*
   New ();
 
-  /** Called with what a key stands for, "K" or "+", or with its name in X, "Up". */
+  /** Called with the character of a key ("K", "+") or its name in X ("Up"). */
   std::function<void (const std::string&)> pressed;
 
 protected:
@@ -32,7 +32,7 @@ protected:
   OnChar () override
   {}
 
-public: // at the end: a semicolon behind it is a warning, and without one clang-format takes what follows for its rest
+public: // last: a semicolon after the macro is a warning, and without one clang-format misreads what follows it
   vtkTypeMacro (ViewerStyle, pcl::visualization::PCLVisualizerInteractorStyle)
 };
 } // namespace tools

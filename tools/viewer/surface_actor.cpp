@@ -26,7 +26,7 @@ trianglesForVtk (const std::vector<Mesh::Triangle>& triangles)
   return cells;
 }
 
-/** One cell of all points. */
+/** One cell that holds all points. */
 vtkSmartPointer<vtkCellArray>
 pointsForVtk (std::size_t count)
 {
@@ -64,7 +64,7 @@ SurfaceActor::SurfaceActor (const Eigen::Vector3d& origin,
   look->SetAmbient (0.2);
   look->SetDiffuse (0.8);
   look->SetSpecular (0);
-  // Normals have no side of their own: every point is lit as if it faced the viewer.
+  // The sign of a normal means nothing: every point is lit as if it faced the viewer.
   actor_->GetShaderProperty ()->AddFragmentShaderReplacement (
       "//VTK::Normal::Impl", true,
       "//VTK::Normal::Impl\n  if (normalVCVSOutput.z < 0.0) normalVCVSOutput = -normalVCVSOutput;\n", false);
@@ -101,7 +101,7 @@ SurfaceActor::drawTriangles (bool triangles)
   if (as_triangles_) {
     data_->SetPolys (triangles_);
     data_->SetVerts (nullptr);
-    actor_->GetProperty ()->SetInterpolationToFlat (); // facets show noise, normals would hide it
+    actor_->GetProperty ()->SetInterpolationToFlat (); // facets show noise, interpolation would hide it
   }
   else {
     data_->SetPolys (nullptr);

@@ -13,23 +13,23 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** A surface in VTK: as points, lit by their normals from whatever side one looks, or as triangles.
+/** A surface in VTK: as points, which are lit by their normals whichever side is viewed, or as triangles.
   *
-  * Not by PCLVisualizer::addPointCloud, which draws points without light, where noise cannot be seen, and in float,
-  * where clouds at UTM coordinates lose their shape. */
+  * PCLVisualizer::addPointCloud is not used: it draws points without lighting, so that noise cannot be seen, and in
+  * float, so that clouds at UTM coordinates lose their shape. */
 class SurfaceActor
 {
 public:
-  /** \param[in] origin moved to zero \param[in] triangles between nodes; may be none */
+  /** \param[in] origin subtracted from positions \param[in] triangles between nodes; may be empty */
   SurfaceActor (const Eigen::Vector3d& origin,
                 const std::vector<Mesh::Triangle>& triangles,
                 const vtkSmartPointer<vtkLookupTable>& colours);
 
-  /** \param[in] values a number for every node \param[in] limit of the colours */
+  /** \param[in] values one per node \param[in] limit end of the colour scale */
   void
   set (const Surface& surface, const std::vector<float>& values, double limit);
 
-  /** Draws triangles, where there are some, or points. */
+  /** Draws triangles, if wanted and there are any, otherwise points. */
   void
   drawTriangles (bool triangles);
 

@@ -8,32 +8,32 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
-/** Where the keys that write files write to. */
+/** Where keys save files. */
 struct ViewerOutputs
 {
-  std::string cloud; // empty: the key says so
+  std::string cloud; // empty: the key shows a message instead
   FileFormat format = FileFormat::BINARY;
 };
 
-/** What lies between keys, smoothing and window. */
+/** Connects the keys, the smoothing and the window. */
 class Viewer
 {
 public:
-  /** Smooths with the parameters and shows it. */
+  /** Smooths with the parameters and shows the result. */
   Viewer (ViewerSession& session,
           const ViewerParameters& parameters,
           ViewerWindow& window,
           Colouring colouring,
           const ViewerOutputs& outputs);
 
-  /** Does what a key stands for; the window shows it, or what is wrong. */
+  /** Does what a key stands for; the window shows the result, or what is wrong. */
   void
   press (const std::string& key);
 
   void
   savePicture (const std::string& path);
 
-  /** What the keys do, a line each. */
+  /** What the keys do, one per line. */
   static std::string
   help ();
 
@@ -47,7 +47,7 @@ private:
   void
   saveSmoothed ();
 
-  /** Keys that leave the parameters alone. \return whether it is one */
+  /** Handles the keys that leave the parameters alone. \return whether \a key is one of them */
   bool
   pressOther (const std::string& key);
 

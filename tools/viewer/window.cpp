@@ -25,20 +25,20 @@ namespace tools
 {
 namespace
 {
-constexpr double strip_height = 0.21; // of the window
+constexpr double strip_height = 0.21; // as a share of the window's
 constexpr double text_colour[] = {0.15, 0.15, 0.17};
-constexpr int strip = 0; // the renderer that PCLVisualizer begins with
+constexpr int strip = 0; // the first renderer of PCLVisualizer
 constexpr int window_samples = 8;
-constexpr double margin = 1.06; // around what is seen
+constexpr double margin = 1.06; // factor, around the surface
 constexpr double radians = M_PI / 180;
 
 struct Looking
 {
-  Eigen::Vector3d from, up; // from: the direction in which the camera stands
+  Eigen::Vector3d from, up; // from: direction towards the camera
 };
 
-/** From the sensor's place where all points lie before it, as those of a depth camera (z forward, y down); else from
-  * somewhat above, with z up over ground, which is wider than high, and y up as most meshes stand. */
+/** From the sensor's side if all points lie in front of it, as with a depth camera (z forward, y down); otherwise from
+  * somewhat above, with z up for ground, which is wider than high, or else y up, as in most meshes. */
 Looking
 lookingAt (const Extent& extent, const Eigen::Vector3d& viewpoint)
 {
@@ -49,7 +49,7 @@ lookingAt (const Extent& extent, const Eigen::Vector3d& viewpoint)
     return {Eigen::Vector3d (-0.35, -1, 0.8).normalized (), {0, 0, 1}};
   return {Eigen::Vector3d (0.45, 0.4, 1).normalized (), {0, 1, 0}};
 }
-/** From the left above and, weaker, from the right: a light at the camera alone shows no roughness. */
+/** From the upper left and, weaker, from the lower right: a light at the camera alone shows no roughness. */
 void
 addLights (vtkRenderer* renderer)
 {
@@ -273,7 +273,7 @@ ViewerWindow::run (const std::function<void (const std::string& key)>& pressed)
 void
 ViewerWindow::close ()
 {
-  style_->GetInteractor ()->TerminateApp (); // PCLVisualizer::close of 1.13 uses the display that it has closed
+  style_->GetInteractor ()->TerminateApp (); // PCLVisualizer::close of 1.13 uses the display after closing it
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

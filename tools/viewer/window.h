@@ -17,12 +17,12 @@ namespace tools
 {
 class ViewerStyle;
 
-/** How a window begins. */
+/** Initial settings of a window. */
 struct WindowSettings
 {
   int width = 1600;
   int height = 900;
-  /** A picture is all that is wanted of it. */
+  /** No window appears: only a picture of it is wanted. */
   bool off_screen = false;
 
   /** -width -height */
@@ -40,9 +40,9 @@ public:
     RIGHT
   };
 
-  /** \param[in] surface what there will be to see: the camera looks at it
+  /** \param[in] surface at which the camera looks
     * \param[in] viewpoint of the sensor
-    * \param[in] spacing of points, which are drawn as large as to close the gaps between them */
+    * \param[in] spacing of points, which are drawn large enough to close the gaps between them */
   ViewerWindow (const WindowSettings& settings,
                 const Surface& surface,
                 const std::vector<Mesh::Triangle>& triangles,
@@ -51,19 +51,19 @@ public:
 
   ~ViewerWindow ();
 
-  /** \param[in] title above it */
+  /** \param[in] limit end of the colour scale \param[in] title above the surface */
   void
   show (Side side, const Surface& surface, const std::vector<float>& values, double limit, const std::string& title);
 
-  /** The strip: \a left as it is, what the colours stand for, and what has to be said. */
+  /** Sets the two texts of the strip, and the title of its colour scale. */
   void
   setTexts (const std::string& left, const std::string& right, const std::string& colours);
 
-  /** Draws triangles, where there are some, or points. */
+  /** Switches between triangles, if there are any, and points. */
   void
   switchTriangles ();
 
-  /** Points of another size than the gaps between them ask for. */
+  /** Multiplies the size of the points, which otherwise just closes the gaps. */
   void
   scalePoints (double factor);
 
@@ -81,7 +81,7 @@ public:
   std::array<int, 2>
   size () const;
 
-  /** Calls \a pressed for every key, until close() or the user ends it. */
+  /** Calls \a pressed for every key, until close() is called or the user closes the window. */
   void
   run (const std::function<void (const std::string& key)>& pressed);
 
