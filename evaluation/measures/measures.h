@@ -30,7 +30,7 @@ struct Measures
   /** Mean angle, in degrees and regardless of sign, between the points' PCA normals (k 15) and the normals of the clean
     * mesh's vertices. Computed alike for every method, whether or not it has normals of its own. */
   double normal_angle = none;
-  /** For the points whose vertices are within half a mean edge length of a sharp edge (more than 30 degrees): their mean
+  /** For the points whose vertices are within half a mean edge length of a sharp edge (more than 30 degrees): mean
     * distance to the mesh, and the share farther from it than 0.1. */
   double edge_error = none, edge_fraction = none;
   /** 1st percentile of the distances to the nearest other point, relative to that of the noisy cloud: below 1 where
