@@ -23,7 +23,7 @@ struct StudyOptions
   std::vector<tools::NoiseType> noises {tools::NoiseType::GN, tools::NoiseType::GR};
   /** In mean edge lengths. */
   std::vector<double> sigmas {0.2};
-  /** Uses the seeds 1 to this. The sweep uses only the first; with the others, peers run only with their best setting. */
+  /** Seeds 1 to this. The sweep uses the first only; with the others, each peer runs only its best setting so far. */
   int seeds = 3;
   bool sweep = true;
   /** Measures for the sweep; everything else gets all of them. */
