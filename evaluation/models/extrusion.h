@@ -8,7 +8,7 @@ namespace pcl_normal_smoothing::evaluation
 {
 
 /** The closed mesh of the body over \a profile between z = 0 and z = \a height, with outward normals. The vertices are
-  * about \a spacing apart, all on the exact surface, and lie along all of its edges as well. */
+  * about \a spacing apart, all on the exact surface; every edge of the body has vertices along it. */
 tools::Mesh
 extrude (const Profile& profile, double height, double spacing);
 

@@ -62,7 +62,7 @@ TEST (Lop, FirstIterationOfTwoPointsByHand)
 TEST (Lop, SecondIterationOfTwoPointsByHand)
 {
   // Starting from a = 1 / (1 + e): the weight towards its original position is theta (a) / a = 3.458838, towards the
-  // other it is theta (1 - a) / (1 - a) = 0.801567. So the attraction is (0.585993 - 0.930224) / 4.260405 = -0.080798, and
+  // other theta (1 - a) / (1 - a) = 0.801567. So the attraction is (0.585993 - 0.930224) / 4.260405 = -0.080798, and
   // the repulsion is 0.25 (2a - 1) = -0.115529.
   const Points result = locallyOptimalProjection (alongX ({0, 1}), {4, 0.25, 2});
   EXPECT_NEAR (0.268941 - 0.080798 - 0.115529, result[0].x (), 3e-6);
