@@ -74,7 +74,7 @@ private:
   void
   check (const tools::Points& points) const;
 
-  /** \param[out] distances of all points to the mesh */
+  /** Sets all distances: to the mesh, also near sharp edges, to the vertices, and to the exact surface if known. */
   void
   measureDistances (const tools::Points& points, Measures& measures) const;
 

@@ -59,7 +59,8 @@ lastWords (const std::string& log)
   return words.size () > most ? "..." + words.substr (words.size () - most) : words;
 }
 
-/** Why a program failed; empty if it succeeded. \param[in] wait status from waitpid \param[in] log the file with its output */
+/** Why a program failed; empty if it succeeded.
+  * \param[in] wait status from waitpid \param[in] log file with the program's output */
 std::string
 describeEnd (int wait, double seconds, double time_limit, const std::string& log)
 {

@@ -65,7 +65,7 @@ def main():
     os.makedirs(options.images, exist_ok=True)
     with tempfile.TemporaryDirectory() as work:
         counts = {name: len(study.select(model=name, noise=options.noise, family="peer")) for name in study.models}
-        studied = [name for name, count in counts.items() if count == max(counts.values())]  # models with all peers' rows
+        studied = [name for name, count in counts.items() if count == max(counts.values())]  # fully studied models
         no_gaps = {"ours", "peer", "noisy"} | ({"sweep"} if study.select(family="sweep") else set())
         by_model = {
             name: [e for e in entries(study, model=name, noise=options.noise, sigma=study.sigma) if e.group in no_gaps]
