@@ -11,10 +11,10 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 enum class Order
 {
   RANDOM,
-  ALONG_RINGS // as a scanner that turns sees it
+  ALONG_RINGS // as a rotating scanner records it
 };
 
-/** A torus of radii 1 and .4, with noise along its normals of .2 mean spacings; the same on every call. */
+/** A torus of radii 1 and .4, with noise of .2 mean spacings along its normals; identical on every call. */
 Cloud::Ptr
 makeTorus (std::size_t size, Order order);
 
@@ -22,7 +22,7 @@ makeTorus (std::size_t size, Order order);
 double
 meanDistance (const Cloud& cloud);
 
-/** Mean distance of the points of such a torus to their neighbours: the side of the square that a point has. */
+/** Mean spacing of the points of such a torus: the side of a square with the mean area per point. */
 double
 spacingOf (std::size_t size);
 } // namespace pcl_normal_smoothing::benchmarks

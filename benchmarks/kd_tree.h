@@ -5,7 +5,7 @@
 
 namespace pcl_normal_smoothing::benchmarks
 {
-/** What others do: fills a pcl::search::KdTree and asks it for \a k neighbours of every point. */
+/** The usual way to search: fills a pcl::search::KdTree and queries the \a k neighbours of every point. */
 void
 searchByKdTree (const Cloud::Ptr& cloud, int k, int threads);
 } // namespace pcl_normal_smoothing::benchmarks

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Peak memory of one smoothing above its input and output, in bytes a point: ./memory default|fast|paper [k] [points]
+// Peak memory of one smoothing besides its input and output, in bytes per point:
+// ./memory default|fast|paper [k] [points]
 #include "clouds.h"
 
 #include <pcl_normal_smoothing/normal_smoothing.h>
@@ -29,7 +30,7 @@ main (int argc, char** argv)
   if (argc > 2)
     smoothing.setKSearch (std::stoi (argv[2]));
   const auto cloud = benchmarks::makeTorus (argc > 3 ? std::stoul (argv[3]) : 1000000, benchmarks::Order::RANDOM);
-  benchmarks::Cloud smoothed = *cloud; // the output's memory is there and touched
+  benchmarks::Cloud smoothed = *cloud; // so that the output's memory is already allocated and touched
   smoothing.setInputCloud (cloud);
 
   const auto peak = [] {

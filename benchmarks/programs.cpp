@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whole programs on one file, reading and writing included: the peers as they come beside the tool, with accuracy:
+// Whole programs on one file, reading and writing included: the peers, unmodified, and the tool, with their accuracy:
 // ./programs [points]
 #include "clouds.h"
 #include "timing.h"

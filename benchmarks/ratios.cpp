@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Times the whole smoothing beside what PCL users pay already, all in one run on one cloud in random order, taking
-// turns, and prints a table of ratios with accuracy: ./ratios [points] [repetitions] [points of the large cloud, 0 =
-// none]
+// Compares the time of the whole smoothing with that of what PCL users already pay for: all timed in turns, in one
+// run on one cloud in random order. Prints a table of ratios, and the accuracy:
+// ./ratios [points] [repetitions] [points of the large cloud, 0 = none]
 #include "kd_tree.h"
 #include "timing.h"
 
@@ -47,7 +47,7 @@ estimateNormals (const Cloud::Ptr& cloud)
   estimation.compute (normals);
 }
 
-/** A radius that holds about 16 neighbours. */
+/** Moving least squares with a radius that holds about 16 neighbours. */
 Cloud
 moveByLeastSquares (const Cloud::Ptr& cloud)
 {
@@ -68,7 +68,7 @@ searchByGraph (const Cloud::Ptr& cloud)
   buildNeighborGraph<pcl::PointXYZ> (cloud, 16);
 }
 
-/** \param[in] goal that the measured ratio should not exceed; nothing compares them */
+/** \param[in] goal upper bound that the ratio should meet; printed, not checked */
 void
 printRow (const std::string& what, double measured, double goal)
 {
@@ -95,7 +95,7 @@ takeTurns (const Cloud::Ptr& cloud, int repetitions)
   return times;
 }
 
-/** Seconds a point of the preset fast. */
+/** Seconds per point of the preset fast. */
 double
 secondsPerPoint (const Cloud::Ptr& cloud)
 {

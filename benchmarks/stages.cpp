@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Google Benchmark of every stage: ./stages [--benchmark_filter=regex]. Beside the time: nanoseconds a point, and an
-// edge and core, where an edge is one neighbour of one point.
+// Google Benchmark of every stage: ./stages [--benchmark_filter=regex]. Besides the time it prints nanoseconds per
+// point, and per edge and core, where an edge is one neighbour of one point.
 #include "kd_tree.h"
 
 #include <core/search/node_blocks.h>
@@ -19,7 +19,7 @@ namespace
 using namespace pcl_normal_smoothing;
 using benchmarks::Order;
 
-/** What most stages start from; made once. */
+/** The input of most stages; made once. */
 struct Input
 {
   benchmarks::Cloud::Ptr cloud;
@@ -35,7 +35,7 @@ inputOf (const benchmark::State& state, Order order = Order::RANDOM)
   static std::map<std::tuple<std::int64_t, std::int64_t, Order>, Input> inputs;
   const auto key = std::make_tuple (state.range (0), state.range (1), order);
   if (inputs.count (key) == 0) {
-    inputs.clear (); // one at a time: the largest fill the memory
+    inputs.clear (); // keep one at a time: the largest fill the memory
     Input& input = inputs[key];
     const core::Execution all (0);
     input.cloud = benchmarks::makeTorus (static_cast<std::size_t> (state.range (0)), order);
@@ -53,7 +53,7 @@ threadsOf (const benchmark::State& state)
   return static_cast<unsigned> (state.range (2));
 }
 
-/** Of \a passes over all edges an iteration. */
+/** Adds the counters for \a passes over all edges per iteration. */
 void
 count (benchmark::State& state, int passes = 1)
 {
@@ -164,7 +164,7 @@ smoothInRounds (benchmark::State& state)
   const Input& input = inputOf (state);
   core::RobustSmoothingOptions options;
   options.fast = fast;
-  options.rounds = fast ? 3 : 6; // as the presets
+  options.rounds = fast ? 3 : 6; // as in the presets
   options.noise = core::estimateNoise (*input.graph, input.nodes, core::Execution (0));
   options.max_displacement = 5 * options.noise.sigma;
   for (auto _ : state) {
@@ -174,7 +174,7 @@ smoothInRounds (benchmark::State& state)
   count (state);
 }
 
-/** A limit of the machine: reads two long arrays and writes a third. */
+/** A limit of the machine: memory bandwidth, measured by reading two long arrays and writing a third. */
 void
 memoryBandwidth (benchmark::State& state)
 {
@@ -190,7 +190,7 @@ memoryBandwidth (benchmark::State& state)
   state.SetBytesProcessed (static_cast<std::int64_t> (state.iterations ()) * size * 12);
 }
 
-/** What a Gaussian or a mixed filter does once, before its iterations. */
+/** The work of a Gaussian or a mixed filter before its iterations. */
 void
 weighByDistance (benchmark::State& state)
 {
@@ -203,7 +203,7 @@ weighByDistance (benchmark::State& state)
   count (state);
 }
 
-/** Every size, number of neighbours and number of threads for what others are compared with; one for the rest. */
+/** Several sizes, numbers of neighbours and numbers of threads, for the main stages; the others get oneSize. */
 void
 manySizes (benchmark::internal::Benchmark* benchmark)
 {

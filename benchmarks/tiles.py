@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Measures what tiles cost: pcl_normal_smoothing_tiles against pcl_normal_smoothing over the whole cloud, for some sizes of tile.
+"""Measures the cost of tiles: pcl_normal_smoothing_tiles against pcl_normal_smoothing over the whole cloud, for some tile sizes.
 
 usage: tiles.py <build folder> [--points 4000000] [--tiles 2,4,8,16,32] [--out benchmark_output] [--plot] [option of the tool]...
 
-Every output is compared to that of the whole cloud, to the byte. Times are processor time of all threads: what a shared machine
-changes least. Writes tiles.md, and tiles.png with --plot (which needs python3-matplotlib). Nothing else should run meanwhile."""
+Every output is compared byte by byte with that of the whole cloud. Times are processor time summed over all threads, which a
+shared machine affects least. Writes tiles.md, and tiles.png with --plot (which needs python3-matplotlib). Run nothing else
+meanwhile."""
 # SPDX-License-Identifier: BSD-3-Clause
 import argparse
 import filecmp
@@ -19,7 +20,7 @@ COLUMNS = ("points of a tile", "tiles", "loaded around", "plan, s", "run, s", "m
 
 
 class Cost:
-    """Of a program that ran: processor seconds, wall seconds, gigabytes at most, and what it printed."""
+    """Cost of running a program: processor seconds, wall seconds, peak gigabytes, and what it printed."""
 
     def __init__(self, *words):
         begin = os.times().elapsed
@@ -35,7 +36,7 @@ class Cost:
 
 
 def measure(tool, cloud, whole, tile_points, options):
-    """A row of the table, by the names of its columns."""
+    """One row of the table, as a dictionary by column name."""
     folder = os.path.dirname(cloud)
     plan, smoothed = os.path.join(folder, "tiles"), os.path.join(folder, "smoothed.pcd")
     tiles = tool + "_tiles"
@@ -59,7 +60,7 @@ def table(rows, whole, points):
 
 
 def plot(rows, whole, points, path):
-    import matplotlib  # only a picture needs it
+    import matplotlib  # only needed for a picture
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How long the viewer takes from a key that changes a parameter to the picture: ./viewer [points]
+// Time that the viewer takes from a key press that changes a parameter to the new picture: ./viewer [points]
 #include "clouds.h"
 #include "timing.h"
 
@@ -21,7 +21,7 @@ using namespace pcl_normal_smoothing;
 
 namespace
 {
-/** A file that goes with the program. */
+/** A file that is removed when the program ends. */
 class CloudOnDisk
 {
 public:
@@ -66,7 +66,7 @@ main (int argc, char** argv)
   tools::SmoothingJob job;
   job.addOptions (options);
   tools::Viewer viewer (session, tools::ViewerParameters ({}, options), window, tools::Colouring::DISPLACEMENT, {});
-  viewer.press ("h"); // the first picture prepares the window
+  viewer.press ("h"); // the first picture also prepares the window
 
   std::printf ("%zu points\n\n| key | what it does | smoothing, s | key to picture, s |\n|---|---|---|---|\n", points);
   for (const auto& [key, what] :

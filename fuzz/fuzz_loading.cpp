@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The loading path of the tools under libFuzzer: any bytes are a cloud or a mesh, or a FileError or core::Error, and
-// never anything else.
+// The loading path of the tools under libFuzzer: any input must be read as a cloud or a mesh, or be refused with a
+// FileError or core::Error, and nothing else.
 #include "clouds/cloud_graph.h"
 #include "files/tool_error.h"
 #include "meshes/mesh_io.h"
@@ -17,8 +17,8 @@
 
 using namespace pcl_normal_smoothing;
 
-/** Refuses what loadMesh refuses in a tool, by a limit of the process; under such a one AddressSanitizer does not throw
-  * std::bad_alloc but ends. */
+/** Refuses large allocations. In a tool, loadMesh does so by a limit on the process, but under such a limit
+  * AddressSanitizer terminates instead of throwing std::bad_alloc. */
 void*
 operator new (std::size_t size)
 {
@@ -43,7 +43,7 @@ operator delete (void* data, std::size_t) noexcept
 
 namespace
 {
-/** In memory, and one a process: the fuzzer may run several. */
+/** In memory, and one file per process: several fuzzers may run at once. */
 const std::string&
 path ()
 {
@@ -61,7 +61,7 @@ load ()
 #else
   const tools::CloudFile file = tools::loadCloud (path ());
   if (file.cloud->data.size () < std::size_t (file.cloud->height) * file.cloud->row_step)
-    std::abort (); // fewer bytes than it says
+    std::abort (); // fewer bytes than its header says
   core::finiteElements (readPositions (tools::positionsOf (file)));
 #endif
 }

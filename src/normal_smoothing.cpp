@@ -12,7 +12,7 @@ namespace pcl_normal_smoothing
 {
 namespace
 {
-/** \throw core::Error if the data ends before the last point */
+/** \throw core::Error if the data ends before the last point of the cloud */
 void
 requireData (const pcl::PCLPointCloud2& cloud)
 {
@@ -26,7 +26,7 @@ requireData (const pcl::PCLPointCloud2& cloud)
                        std::to_string (cloud.point_step) + " bytes: it is truncated, load it anew");
 }
 
-/** The cloud for a search object. */
+/** A copy of the positions for a search object. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 xyzCloud (const VectorView& view)
 {

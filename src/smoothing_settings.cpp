@@ -31,7 +31,7 @@ presetOptions (SmoothingPreset preset)
   return options;
 }
 
-/** Overwrites \a option where something was set. */
+/** Overwrites \a option with what the user set, if anything. */
 template <typename Option, typename Set>
 void
 overwrite (Option& option, const std::optional<Set>& set)
@@ -40,7 +40,7 @@ overwrite (Option& option, const std::optional<Set>& set)
     option = static_cast<Option> (*set);
 }
 
-/** The same for a length. \throw core::Error naming the \a setter, where float cannot hold it */
+/** The same for a length. \throw core::Error naming the \a setter, if the value exceeds the range of float */
 void
 overwriteLength (float& length, const std::optional<double>& set, const std::string& name, const std::string& setter)
 {
@@ -48,8 +48,8 @@ overwriteLength (float& length, const std::optional<double>& set, const std::str
     length = floatLength (*set, name, setter);
 }
 
-/** Below 0 means that a length is to be estimated, which cannot be set.
-  * \throw core::Error naming the \a setter, if an invalid length was set */
+/** Checks a length that was set. It must not be negative: internally, that means "to be estimated".
+  * \throw core::Error naming the \a setter, if it is invalid */
 void
 checkLength (const std::optional<double>& set, const std::string& name, const std::string& setter, bool finite = true)
 {
@@ -77,7 +77,7 @@ SmoothingSettings::options () const
   overwriteLength (options.update.max_displacement, max_displacement_, "the maximal displacement",
                    "setMaxDisplacement");
   options.rounds.max_displacement = options.update.max_displacement;
-  if (options.robust) { // the chain has no use for them
+  if (options.robust) { // the chain uses none of these
     checkLength (noise_sigma_, "the noise's sigma", "setNoiseSigma");
     checkLength (point_spacing_, "the spacing", "setPointSpacing");
     checkLength (sheet_distance_, "the sheet distance", "setSheetDistance", false);

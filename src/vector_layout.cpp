@@ -15,7 +15,7 @@ const VectorFields normal_fields {"normal_x", "normal_y", "normal_z"};
 
 namespace
 {
-/** Names, types and sizes in bytes, as the header of a PCD file has them. */
+/** Names, types and sizes in bytes of the fields, as in the header of a PCD file. */
 std::string
 fieldsOf (const pcl::PCLPointCloud2& cloud)
 {
@@ -69,8 +69,8 @@ VectorLayout::require (const pcl::PCLPointCloud2& cloud, const VectorFields& nam
 
 namespace
 {
-/** At least half of the points lie within this distance of the middle one, along each axis: a few far off do not
-  * count. */
+/** The distance within which at least half of the points lie from the median point, along each axis: robust to a few
+  * points far off. */
 double
 typicalExtent (const std::vector<Eigen::Vector3d>& sample)
 {
@@ -97,7 +97,7 @@ typicalExtent (const std::vector<Eigen::Vector3d>& sample)
 std::vector<std::uint64_t>
 unitSample (std::uint64_t size)
 {
-  constexpr std::uint64_t sample_size = 1000, prime = 2654435761; // visits every point of a smaller cloud once
+  constexpr std::uint64_t sample_size = 1000, prime = 2654435761; // visits every point once if the cloud is smaller
   std::vector<std::uint64_t> sample;
   for (std::uint64_t i = 0; i < std::min (size, sample_size); ++i)
     sample.push_back (i * prime % size);
@@ -183,7 +183,7 @@ writeDisplacements (const core::Vectors& displacements,
                     std::uint8_t* data,
                     const core::Execution& execution)
 {
-  constexpr std::size_t ahead = 16; // nodes follow space, points need not
+  constexpr std::size_t ahead = 16; // nodes are in spatial order, the points of the cloud need not be
   core::parallelFor (order.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
       layout.prefetch (data, order[std::min (node + ahead, end - 1)]);

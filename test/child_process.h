@@ -12,12 +12,12 @@
 
 namespace test_support
 {
-/** A process that a test started; one that nobody waited for is killed. */
+/** A child process that a test started; killed by the destructor if nobody waited for it. */
 class ChildProcess
 {
 public:
-  /** \param[in] number as fork gives it to the parent \throw std::runtime_error where it is none of a process: to send
-    * a signal to -1 is to send it to every process of the user */
+  /** \param[in] number as returned by fork to the parent \throw std::runtime_error if it is not the id of a process:
+    * kill with -1 would signal every process of the user */
   explicit ChildProcess (pid_t number) : number_ (number)
   {
     if (number <= 0)
@@ -42,7 +42,7 @@ public:
     return number_;
   }
 
-  /** Nothing where it was waited for. */
+  /** Does nothing if the process was waited for. */
   void
   send (int signal) const
   {
@@ -50,7 +50,7 @@ public:
       ::kill (number_, signal);
   }
 
-  /** \return its exit status, 128 + signal where a signal ended it \throw std::runtime_error the second time */
+  /** \return its exit status, or 128 + signal if a signal ended it \throw std::runtime_error if called twice */
   int
   wait ()
   {

@@ -44,8 +44,8 @@ Shape
 groovedPlate (double pitch)
 {
   constexpr int count = 10000;
-  constexpr double width = 4, plastic = 1.324717957244746; // of a groove, and the golden ratio of the plane
-  const double length = pitch + 2;                         // of the paper from one groove to the next
+  constexpr double width = 4, plastic = 1.324717957244746; // of a groove; 2D analogue of the golden ratio
+  const double length = pitch + 2;                         // of paper from one groove to the next
   const double side = length * std::round (std::sqrt (count) / length);
   Shape shape;
   for (int i = 1; i <= count; ++i) {
@@ -79,7 +79,7 @@ cylinder (int around, int along, double radius, double height)
   Shape shape;
   for (int row = 0; row < along; ++row)
     for (int i = 0; i < around; ++i) {
-      // Every other row is turned by half a step, so that no neighbourhood is a grid.
+      // Every other row is turned by half a step, so that no neighbourhood is a regular grid.
       const double angle = 2 * pi * (i + 0.5 * (row % 2)) / around;
       const Eigen::Vector3d normal (std::cos (angle), std::sin (angle), 0);
       add (shape, radius * normal + Eigen::Vector3d (0, 0, height * row / (along - 1)), normal);
@@ -112,7 +112,7 @@ torus (int count, double major, double minor)
   for (std::uint64_t i = 0; shape.points.size () < static_cast<std::size_t> (count); ++i) {
     const double u = 2 * pi * uniformNoise (90, i), v = 2 * pi * uniformNoise (91, i);
     const double from_axis = major + minor * std::cos (v);
-    if (uniformNoise (92, i) * (major + minor) > from_axis) // the inside has less area
+    if (uniformNoise (92, i) * (major + minor) > from_axis) // the inner side has less area
       continue;
     const Eigen::Vector3d normal (std::cos (v) * std::cos (u), std::cos (v) * std::sin (u), std::sin (v));
     add (shape, minor * normal + major * Eigen::Vector3d (std::cos (u), std::sin (u), 0), normal);
@@ -220,7 +220,7 @@ diagonal (const Vectors& points)
 double
 lineAngleDegrees (const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
-  // The cross product resolves small angles, where an arc cosine in double does not.
+  // The cross product resolves small angles; an arc cosine in double does not.
   return std::atan2 (a.cross (b).norm (), std::abs (a.dot (b))) * 180 / pi;
 }
 } // namespace test_support

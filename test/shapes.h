@@ -10,7 +10,7 @@ namespace test_support
 using pcl_normal_smoothing::core::Positions;
 using pcl_normal_smoothing::core::Vectors;
 
-/** Points that lie exactly (as far as float goes) on a surface, with its normals, outward where there is an outside. */
+/** Points exactly on a surface (up to float precision), with its normals: outward ones, if it has an outside. */
 struct Shape
 {
   Vectors points;
@@ -23,28 +23,28 @@ struct Shape
   }
 };
 
-/** z = 0, \a side x \a side points. */
+/** A grid of \a side x \a side points in the plane z = 0. */
 Shape
 planeGrid (int side, float spacing);
 
-/** A plate with grooves four wide and one deep, every \a pitch, as if it were paper on which 10,000 points are spread
-  * evenly, one on a unit of area, and that was folded then. */
+/** A plate with grooves four wide and one deep, one per \a pitch, folded like a sheet of paper on which 10,000 points
+  * had been spread evenly, one per unit of area. */
 Shape
 groovedPlate (double pitch);
 
-/** A Fibonacci lattice, spread evenly. */
+/** A Fibonacci lattice: evenly spread points. */
 Shape
 sphere (int count, double radius);
 
-/** The axis is z, open at both ends. */
+/** A cylinder around the z axis, open at both ends. */
 Shape
 cylinder (int around, int along, double radius, double height);
 
-/** The faces of [0, edge]^3, \a side x \a side points in each, none on an edge. */
+/** The faces of [0, edge]^3, each with \a side x \a side points, none of them on an edge. */
 Shape
 cube (int side, double edge);
 
-/** The axis is z, the points spread evenly at random. */
+/** A torus around the z axis, its points uniformly distributed at random. */
 Shape
 torus (int count, double major, double minor);
 
@@ -56,7 +56,7 @@ parallelSheets (int side, float spacing, float gap);
 double
 uniformNoise (std::uint64_t seed, std::uint64_t index);
 
-/** Normally distributed: the sum of twelve uniform numbers. */
+/** Normally distributed, approximately: the sum of twelve uniform numbers, less 6. */
 double
 gaussianNoise (std::uint64_t seed, std::uint64_t index);
 
@@ -68,11 +68,11 @@ withNoise (const Vectors& points, double sigma, std::uint64_t seed);
 Vectors
 withNormalNoise (const Shape& shape, double sigma, std::uint64_t seed);
 
-/** The same. \param[in] sigma of the noise at a place */
+/** The same. \param[in] sigma standard deviation of the noise at a position */
 Vectors
 withNormalNoise (const Shape& shape, const std::function<double (const Eigen::Vector3f&)>& sigma, std::uint64_t seed);
 
-/** About half of the vectors turned round, as estimated normals are. */
+/** The vectors with random signs, as estimated normals have: about half of them are flipped. */
 Vectors
 withRandomSigns (Vectors vectors, std::uint64_t seed);
 
@@ -80,11 +80,11 @@ withRandomSigns (Vectors vectors, std::uint64_t seed);
 std::vector<std::uint32_t>
 permutation (std::size_t size, std::uint64_t seed);
 
-/** In the order of permutation (points.size (), seed). */
+/** The points in the order of permutation (points.size (), seed). */
 Vectors
 shuffled (const Vectors& points, std::uint64_t seed);
 
-/** Offsets are zero. */
+/** The points as positions with zero offsets. */
 Positions
 asPositions (const Vectors& points);
 
@@ -92,7 +92,7 @@ asPositions (const Vectors& points);
 double
 diagonal (const Vectors& points);
 
-/** The angle between two directions of any sign, 0 to 90. */
+/** The angle between two directions regardless of their signs, 0 to 90. */
 double
 lineAngleDegrees (const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 } // namespace test_support

@@ -28,7 +28,7 @@ HintedMeshDistance::HintedMeshDistance (const tools::Mesh& mesh) : tree_ (std::m
   for (const auto& [a, b, c] : mesh.triangles)
     tree_->triangles.emplace_back (toCgal (mesh.vertices[a]), toCgal (mesh.vertices[b]), toCgal (mesh.vertices[c]));
   tree_->tree.insert (tree_->triangles.begin (), tree_->triangles.end ());
-  tree_->tree.build (); // now, as queries come from many threads
+  tree_->tree.build (); // built now, as queries come from many threads
 }
 
 HintedMeshDistance::~HintedMeshDistance () = default;

@@ -8,8 +8,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Distances to a triangle mesh, by CGAL's AABB tree: with the vertex that a point stems from as a hint it takes a
-  * fifth of the time of the cell locator of VTK that pcl_smoothing_error uses (3 against 15 microseconds). */
+/** Distances to a triangle mesh, by CGAL's AABB tree. Given the vertex that a point stems from as a hint, it takes a
+  * fifth of the time of VTK's cell locator, which pcl_smoothing_error uses (3 against 15 microseconds). */
 class HintedMeshDistance
 {
 public:
@@ -18,7 +18,7 @@ public:
 
   ~HintedMeshDistance ();
 
-  /** \param[in] on_mesh any point of the mesh; the nearer, the faster */
+  /** \param[in] on_mesh any point of the mesh as a hint; the nearer, the faster */
   double
   operator() (const Eigen::Vector3d& point, const Eigen::Vector3d& on_mesh) const;
 

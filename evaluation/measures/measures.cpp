@@ -18,7 +18,7 @@ namespace
 {
 constexpr double sharp_degrees = 30, edge_reach = 0.5, off_surface = 0.1; // lengths in mean edge lengths
 
-/** An element for every point, computed on all threads. */
+/** Calls \a function for every point, on all threads, and collects the results. */
 template <typename Function>
 std::vector<double>
 forPoints (std::size_t count, const Function& function)
@@ -37,7 +37,7 @@ mean (const std::vector<double>& numbers)
   return std::accumulate (numbers.begin (), numbers.end (), 0.0) / static_cast<double> (numbers.size ());
 }
 
-/** Points without a surface variation in both clouds are left out. */
+/** Over the points that have a surface variation in both clouds. */
 double
 meanDifference (const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -51,7 +51,7 @@ meanDifference (const std::vector<double>& a, const std::vector<double>& b)
   return sum / static_cast<double> (count);
 }
 
-/** The value below which a hundredth lies. */
+/** The value below which one hundredth of the numbers lie. */
 double
 firstPercentile (std::vector<double> numbers)
 {

@@ -10,9 +10,9 @@ namespace pcl_normal_smoothing::evaluation
 {
 namespace
 {
-constexpr std::size_t size_of_normals = 1; // the second: 15
+constexpr std::size_t size_of_normals = 1; // index of 15 in neighborhood_sizes
 
-/** As readPositions does with a cloud. */
+/** Splits coordinates into base and offset as readPositions does. */
 core::Positions
 positionsOf (const tools::Points& points, const core::Execution& execution)
 {
@@ -26,7 +26,7 @@ positionsOf (const tools::Points& points, const core::Execution& execution)
   return positions;
 }
 
-/** The nearest come first in a row, so the smaller neighbourhoods are its beginnings. */
+/** Rows are sorted by distance, so the smaller neighbourhoods are the first entries of a row. */
 void
 lookAround (const core::NeighborGraph& graph, const core::Positions& nodes, std::size_t node, Neighborhoods& result)
 {

@@ -11,14 +11,14 @@ namespace pcl_normal_smoothing::evaluation
 /** The neighbourhoods of the paper; k counts the point itself. */
 constexpr std::array<unsigned, 3> neighborhood_sizes {7, 15, 21};
 
-/** What the neighbourhoods in a cloud tell of its points, all three sizes from one search. */
+/** Properties of the points' neighbourhoods in a cloud; all three sizes come from one search. */
 struct Neighborhoods
 {
-  /** The surface variation (Pauly et al. 2002) of every point, for each size; NaN where there is none. */
+  /** The surface variation (Pauly et al. 2002) of every point, for each size; NaN where undefined. */
   std::array<std::vector<double>, 3> variations;
-  /** The normals by PCA of the 15 nearest, the sign arbitrary; zero where there is none. */
+  /** The PCA normals of the 15 nearest points, with arbitrary signs; zero where undefined. */
   tools::Points normals;
-  /** Distance of every point to the nearest other. */
+  /** Distance of every point to the nearest other point. */
   std::vector<double> spacings;
 };
 

@@ -6,8 +6,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** The vertices within \a reach of an edge whose two triangles turn by more than \a degrees. Edges of one triangle, or
-  * of more than two, are not sharp. */
+/** The vertices within \a reach of an edge at which the surface turns by more than \a degrees. Edges of only one
+  * triangle, or of more than two, do not count as sharp. */
 std::vector<std::uint32_t>
 verticesNearSharpEdges (const tools::Mesh& mesh, double degrees, double reach);
 

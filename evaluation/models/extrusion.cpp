@@ -21,7 +21,7 @@ using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 using Outline = std::vector<Eigen::Vector2d>;
 
-/** Points along a loop, about \a spacing apart, on all of its corners. */
+/** Points along a loop, about \a spacing apart, its corners included. */
 Outline
 sampled (const Loop& loop, double spacing)
 {
@@ -34,7 +34,7 @@ sampled (const Loop& loop, double spacing)
   return points;
 }
 
-/** Inside the polygons through the points of the outlines. */
+/** The profile bounded by the polygons through the points of the outlines. */
 Profile
 chordsOf (const std::vector<Outline>& outlines)
 {
@@ -44,7 +44,8 @@ chordsOf (const std::vector<Outline>& outlines)
   return chords;
 }
 
-/** Points of a triangular grid inside the profile, off its outline, each moved a little: no two distances are equal. */
+/** The points of a triangular grid inside the profile, off its outline, each jittered so that no two distances are
+  * equal. */
 Outline
 innerPoints (const Profile& profile, const Outline& outer, double spacing)
 {
@@ -66,7 +67,7 @@ innerPoints (const Profile& profile, const Outline& outer, double spacing)
   return points;
 }
 
-/** Triangles over all points: those of the outlines first, in order, then the inner ones. */
+/** Triangles over all points, which are numbered in order: first those of the outlines, then the inner ones. */
 std::vector<tools::Mesh::Triangle>
 triangulated (const std::vector<Outline>& outlines, const Outline& inner)
 {
@@ -124,7 +125,7 @@ public:
   }
 
 private:
-  /** The vertex of the mesh for one of a cap. */
+  /** The index in the mesh of vertex \a v of a cap. */
   std::uint32_t
   capVertex (std::uint32_t v, std::size_t outline_begin, std::size_t inner_begin) const
   {

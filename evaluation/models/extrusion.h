@@ -7,12 +7,12 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** The closed mesh of the body over \a profile between z = 0 and z = \a height, its normals outwards; vertices about
-  * \a spacing apart, all on the exact surface, and on all of its edges. */
+/** The closed mesh of the body over \a profile between z = 0 and z = \a height, with outward normals. The vertices are
+  * about \a spacing apart, all on the exact surface; every edge of the body has vertices along it. */
 tools::Mesh
 extrude (const Profile& profile, double height, double spacing);
 
-/** Exact. */
+/** The exact distance of \a point to the surface. */
 double
 distanceToExtrusion (const Profile& profile, double height, const Eigen::Vector3d& point);
 

@@ -6,7 +6,7 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** The smooth surface where a function vanishes. */
+/** The smooth surface on which a function is zero. */
 struct ImplicitSurface
 {
   std::function<double (const Eigen::Vector3d&)> value;
@@ -17,9 +17,9 @@ struct ImplicitSurface
 Eigen::Vector3d
 projectedTo (const ImplicitSurface& surface, Eigen::Vector3d point);
 
-/** The distance of \a point to the surface, numerically: the foot point slides along the tangent plane until the
-  * connection is along the normal. For points nearer than the radius of curvature, as those of a noisy cloud are; the
-  * distance to some point of the surface, not always the nearest, beyond. NaN where that finds none. */
+/** The distance of \a point to the surface, found numerically: the foot point slides along the tangent plane until the
+  * connecting line is normal to the surface. Reliable for points nearer than the radius of curvature, as in a noisy
+  * cloud; farther off, the foot point found is not always the nearest. NaN if none is found. */
 double
 distanceTo (const ImplicitSurface& surface, const Eigen::Vector3d& point);
 

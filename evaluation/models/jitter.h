@@ -6,7 +6,7 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Random numbers that are the same on every machine, uniform in [-1, 1). */
+/** Random numbers, uniform in [-1, 1), the same on every machine. */
 class Jitter
 {
 public:

@@ -45,7 +45,7 @@ Model
 csgPart ()
 {
   Loop outline = polygon ({{0, 0}, {1.4, 0}, {1.4, 0.45}, {0.5, 0.45}, {0.5, 1.1}, {0, 1.1}});
-  roundCorner (2, 0.15, outline); // the inner corner first: a rounded corner is one piece more
+  roundCorner (2, 0.15, outline); // the inner corner first: every rounded corner inserts a piece
   roundCorner (1, 0.2, outline);
   return extruded ("csg_part", "made in code: an extruded L with a fillet, a rounded corner and a bore",
                    {{outline, circularHole ({1.0, 0.2}, 0.11)}}, 0.4, 0.026);
@@ -58,7 +58,7 @@ organic ()
           makeUnevenBall (5), numericDistance (bumpyBall ())};
 }
 
-/** Two parallel squares, \a spacings of their points apart. */
+/** Two parallel squares, \a spacings point spacings apart. */
 Model
 sheets (const std::string& name, const std::string& distance, double spacings)
 {

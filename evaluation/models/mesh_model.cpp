@@ -24,7 +24,7 @@ hasArea (const tools::Mesh& mesh, const tools::Mesh::Triangle& t)
   return u.cross (v).norm () > 1e-12 * std::max (u.squaredNorm (), v.squaredNorm ());
 }
 
-/** \return how many */
+/** \return the number removed */
 std::size_t
 removeFlatTriangles (tools::Mesh& mesh)
 {
@@ -35,7 +35,7 @@ removeFlatTriangles (tools::Mesh& mesh)
   return before - mesh.triangles.size ();
 }
 
-/** \return how many */
+/** \return the number removed */
 std::size_t
 removeUnusedVertices (tools::Mesh& mesh)
 {
@@ -57,7 +57,7 @@ removeUnusedVertices (tools::Mesh& mesh)
   return kept.size () - mesh.vertices.size ();
 }
 
-/** Moves a mesh that is farther from zero than it is large. \return whether it was */
+/** Moves a mesh to the origin if its distance from it exceeds twice its diagonal. \return whether it was moved */
 bool
 moveToZero (tools::Mesh& mesh)
 {

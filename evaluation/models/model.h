@@ -12,14 +12,14 @@ namespace pcl_normal_smoothing::evaluation
 /** Distance of a point to a surface, in the model's unit. Called from many threads. */
 using DistanceFunction = std::function<double (const Eigen::Vector3d&)>;
 
-/** What is sampled: a clean mesh, and the surface that its vertices lie on where that is known. */
+/** What is sampled: a clean mesh and, if known, the surface on which its vertices lie. */
 struct Model
 {
   std::string name;
-  /** Where it is from, and what was done to it, for people. */
+  /** Its origin and how it was changed, as readable text. */
   std::string source;
   tools::Mesh mesh;
-  /** Empty where nothing but the mesh is known. */
+  /** Empty if only the mesh is known. */
   DistanceFunction surface_distance;
 };
 

@@ -30,7 +30,7 @@ halfAngle (const Piece& arc)
   return std::asin ((arc.to - arc.from).norm () / (2 * std::abs (arc.radius)));
 }
 
-/** Between an arc and its chord. */
+/** Whether the point lies between an arc and its chord. */
 bool
 inSegment (const Piece& arc, const Eigen::Vector2d& point)
 {
@@ -88,7 +88,7 @@ Profile::distance (const Eigen::Vector2d& point) const
 bool
 Profile::contains (const Eigen::Vector2d& point) const
 {
-  bool inside = false; // of the polygon of the chords, turned over between a chord and its arc
+  bool inside = false; // first in the polygon of the chords, then inverted for points between a chord and its arc
   for (const Loop& loop : loops)
     for (const Piece& piece : loop) {
       const auto &a = piece.from, &b = piece.to;

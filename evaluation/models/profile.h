@@ -8,11 +8,11 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** A line, or an arc of less than half a circle, of the outline of a plane figure. */
+/** A piece of the outline of a plane figure: a line, or an arc of less than half a circle. */
 struct Piece
 {
   Eigen::Vector2d from, to;
-  /** Of an arc: above 0 where it turns left, below 0 right; 0 = a line. */
+  /** Radius of an arc: positive if it turns left, negative if right; 0 = a line. */
   double radius = 0;
 
   Eigen::Vector2d
@@ -21,7 +21,7 @@ struct Piece
   double
   length () const;
 
-  /** The point at the share \a t of the length. */
+  /** The point at the fraction \a t of the length. */
   Eigen::Vector2d
   at (double t) const;
 
@@ -29,10 +29,10 @@ struct Piece
   distance (const Eigen::Vector2d& point) const;
 };
 
-/** A closed outline; the figure lies at its left. */
+/** A closed outline; the figure lies to its left. */
 using Loop = std::vector<Piece>;
 
-/** A plane figure: an outer loop, counterclockwise, and those of holes, clockwise. */
+/** A plane figure: a counterclockwise outer loop, and clockwise loops around the holes. */
 struct Profile
 {
   std::vector<Loop> loops;
@@ -45,15 +45,15 @@ struct Profile
   contains (const Eigen::Vector2d& point) const;
 };
 
-/** Through the points, in order. */
+/** The closed polygon through the points, in order. */
 Loop
 polygon (const std::vector<Eigen::Vector2d>& corners);
 
-/** Rounds the corner at the end of piece \a i, which and whose next are lines, by an arc that touches both. */
+/** Rounds the corner between piece \a i and the next, both of them lines, by an arc that is tangent to both. */
 void
 roundCorner (std::size_t i, double radius, Loop& loop);
 
-/** Four arcs, clockwise. */
+/** A circular hole: four arcs, clockwise. */
 Loop
 circularHole (const Eigen::Vector2d& center, double radius);
 

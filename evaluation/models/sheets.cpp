@@ -17,7 +17,7 @@ makeSheets (std::uint32_t side, double gap)
   for (const double z : {0.0, gap})
     for (std::uint32_t i = 0; i < side * side; ++i) {
       const std::uint32_t x = i % side, y = i / side;
-      const auto shifted = [&] (std::uint32_t n) { // the border stays straight
+      const auto shifted = [&] (std::uint32_t n) { // vertices on the border stay on it
         const double shift = 0.2 * jitter ();
         return step * (n + (n > 0 && n + 1 < side ? shift : 0));
       };

@@ -6,11 +6,11 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Two squares of side 1 at z = 0 and z = \a gap, each of \a side x \a side vertices, their normals down and up. */
+/** Two squares of side 1 at z = 0 and z = \a gap, each of \a side x \a side vertices; normals down and up. */
 tools::Mesh
 makeSheets (std::uint32_t side, double gap);
 
-/** Exact. */
+/** The exact distance of \a point to the two squares. */
 double
 distanceToSheets (double gap, const Eigen::Vector3d& point);
 

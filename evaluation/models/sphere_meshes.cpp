@@ -14,7 +14,7 @@ namespace pcl_normal_smoothing::evaluation
 {
 namespace
 {
-/** A bump of \a height around a direction; the larger \a sharpness, the narrower. */
+/** A bump of the given height around a direction; the larger the sharpness, the narrower. */
 struct Bump
 {
   Eigen::Vector3d direction;
@@ -59,7 +59,7 @@ ballGradient (const Eigen::Vector3d& p)
   return gradient;
 }
 
-/** A conformal map of the sphere: distances shrink by \a scale at the top and grow as much at the bottom. */
+/** A conformal map of the sphere: scales distances by \a scale at the top and by 1 / \a scale at the bottom. */
 Eigen::Vector3d
 drawnUp (const Eigen::Vector3d& u, double scale)
 {
@@ -81,7 +81,7 @@ makeSphere (int times)
       mesh.vertices.emplace_back (a, b, 0);
       mesh.vertices.emplace_back (b, 0, a);
     }
-  // Every three corners at a distance of 2 are a face, turned to look outwards.
+  // Any three corners that are pairwise at a distance of 2 form a face, oriented outwards.
   const auto joined = [&] (std::uint32_t i, std::uint32_t j) {
     return (mesh.vertices[i] - mesh.vertices[j]).norm () < 2.1;
   };

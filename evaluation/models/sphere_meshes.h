@@ -6,7 +6,7 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** The unit sphere: an icosahedron, every triangle cut into four \a times times. */
+/** The unit sphere: an icosahedron whose triangles are split into four, \a times times. */
 tools::Mesh
 makeSphere (int times);
 
@@ -14,8 +14,8 @@ makeSphere (int times);
 const ImplicitSurface&
 bumpyBall ();
 
-/** The bumpy ball, of vertices spread as unevenly as those of a scan: four times as far apart at the bottom as at the
-  * top, and shifted at random. */
+/** The bumpy ball with vertices as unevenly spread as those of a scan: four times as far apart at the bottom as at the
+  * top, and randomly shifted. */
 tools::Mesh
 makeUnevenBall (int times);
 

@@ -6,8 +6,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Cuts every triangle into four at the middles of its edges. The vertices stay, with one more for each edge behind
-  * them, in the order in which the triangles come to their edges. */
+/** Splits every triangle into four at the midpoints of its edges. The old vertices stay, followed by one new vertex per
+  * edge, in the order in which the edges first occur in the triangles. */
 void
 subdivide (tools::Mesh& mesh);
 

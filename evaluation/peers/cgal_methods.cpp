@@ -20,7 +20,7 @@ namespace
 {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Concurrency = CGAL::Parallel_if_available_tag;
-/** CGAL shuffles and sorts points: the number of the point goes along. */
+/** A point, its normal and its index, which is kept because CGAL shuffles and sorts points. */
 using Item = std::tuple<Kernel::Point_3, Kernel::Vector_3, std::size_t>;
 using PointMap = CGAL::Nth_of_tuple_property_map<0, Item>;
 using NormalMap = CGAL::Nth_of_tuple_property_map<1, Item>;
@@ -79,7 +79,7 @@ smoothWithWlop (const WorkerPoints& points, const WorkerValues& values)
   if (projected.size () != items.size ())
     throw std::runtime_error ("WLOP gave " + std::to_string (projected.size ()) + " of " +
                               std::to_string (items.size ()) + " points");
-  // The sample is the end of the shuffled input, here all of it, and keeps its order.
+  // The sample is the end of the shuffled input, here all of it; WLOP keeps its order.
   for (std::size_t i = 0; i < items.size (); ++i)
     std::get<0> (items[i]) = projected[i];
   return pointsOf (items);

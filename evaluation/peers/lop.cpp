@@ -13,7 +13,7 @@ namespace
 using Point = Eigen::Vector3d;
 using Points = std::vector<Point>;
 
-/** Finds points by a radius. The search is in single precision, what is done with its result is not. */
+/** Finds the points within a radius. The search is in single precision, the computations on its results in double. */
 class BallSearch
 {
 public:
@@ -25,7 +25,7 @@ public:
     tree_.setInputCloud (cloud);
   }
 
-  /** Calls \a use (difference to \a center, distance) for every point within \a radius, but not at, \a center. */
+  /** Calls \a use (difference to \a center, distance) for every point within \a radius, except those at \a center. */
   template <typename Use>
   void
   around (const Point& center, double radius, const Use& use) const
@@ -53,7 +53,7 @@ private:
   pcl::KdTreeFLANN<pcl::PointXYZ> tree_;
 };
 
-/** Sum of weighted differences over the sum of the weights. */
+/** A weighted mean of differences: the weighted sum over the sum of the weights. */
 struct WeightedMean
 {
   Point sum = Point::Zero ();
@@ -73,7 +73,7 @@ struct WeightedMean
   }
 };
 
-/** The fast falling weight theta of the paper. */
+/** The fast decreasing weight theta of the paper. */
 double
 theta (double distance, double h)
 {
@@ -81,7 +81,7 @@ theta (double distance, double h)
   return std::exp (-x * x);
 }
 
-/** X^(1): the mean of the points around, weighted by theta. */
+/** X^(1): the mean of the surrounding points, weighted by theta. */
 Point
 firstPlace (const Point& x, const BallSearch& points, double h)
 {
@@ -91,8 +91,8 @@ firstPlace (const Point& x, const BallSearch& points, double h)
   return x + mean.value ();
 }
 
-/** X^(k+1) of X^(k), the fixed-point iteration: the weights alpha draw to the points, beta keep the projected ones
-  * apart. */
+/** X^(k+1) from X^(k), one step of the fixed-point iteration: the weights alpha attract to the points, the weights beta
+  * keep the projected points apart. */
 Point
 nextPlace (const Point& x, const BallSearch& points, const BallSearch& projected, const LopParameters& parameters)
 {

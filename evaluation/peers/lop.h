@@ -14,16 +14,16 @@ struct LopParameters
   double h = 0;
   /** Weight of the repulsion, from 0 to below 0.5. */
   double mu = 0.25;
-  /** Of which the first only averages. */
+  /** Number of iterations; the first one only averages. */
   int iterations = 10;
 };
 
 /** Moves all points by the locally optimal projection of Lipman, Cohen-Or, Levin and Tal-Ezer, "Parameterization-free
   * Projection for Geometry Reconstruction", SIGGRAPH 2007, with the repulsion eta (r) = 1 / (3 r^3) of that paper.
   *
-  * The projected set begins as the points themselves. Neighbors beyond h, where the weight has fallen to exp (-16),
-  * count nothing; nor do those at no distance, which have no direction. A point without neighbors stays.
-  * \return point i is what became of point i */
+  * The projected set starts as a copy of the points. Neighbours beyond h, where the weight has fallen to exp (-16), are
+  * ignored; so are those at distance zero, which have no direction. A point without neighbours stays where it is.
+  * \return the new position of every point, in the same order */
 std::vector<Eigen::Vector3d>
 locallyOptimalProjection (const std::vector<Eigen::Vector3d>& points, const LopParameters& parameters);
 

@@ -17,7 +17,7 @@ const char* const input_name = "noisy.ply";
 const char* const output_name = "smooth.ply";
 const char* const script_name = "filters.mlx";
 
-/** The projections need normals. The values are MeshLab's defaults: a script must list every parameter. */
+/** Computes the normals that the projections need. All values are MeshLab's defaults; a script must list them all. */
 const char* const normals_filter = R"( <filter name="Compute normals for point sets">
   <Param type="RichInt" name="K" value="10"/>
   <Param type="RichInt" name="smoothIter" value="0"/>
@@ -26,7 +26,7 @@ const char* const normals_filter = R"( <filter name="Compute normals for point s
  </filter>
 )";
 
-/** What both projections list, with MeshLab's defaults. The cloud projects onto the surface that it defines itself. */
+/** Parameters of both projections, at MeshLab's defaults. The cloud is projected onto the surface that it defines. */
 const char* const common_parameters = R"(  <Param type="RichMesh" name="ControlMesh" value="0"/>
   <Param type="RichMesh" name="ProxyMesh" value="0"/>
   <Param type="RichBool" name="SelectionOnly" value="false"/>
@@ -81,7 +81,7 @@ writeMeshLabInput (const WorkFolder& folder, const PeerSetting& setting, const s
 std::vector<std::string>
 meshLabCommand (const WorkFolder& folder, const std::string& meshlabserver)
 {
-  // It opens no window, but does not start without a display.
+  // It opens no window, but does not start without an X display.
   return {"xvfb-run",
           "-a",
           meshlabserver,
@@ -97,7 +97,7 @@ std::vector<Eigen::Vector3d>
 readMeshLabOutput (const WorkFolder& folder)
 {
   const std::string path = folder.file (output_name);
-  // It ends with status 0 also where it has not understood a file.
+  // It exits with status 0 even if it could not read a file.
   if (!std::filesystem::exists (path))
     throw std::runtime_error ("MeshLab wrote no result");
   const tools::CloudFile file = tools::loadCloud (path);

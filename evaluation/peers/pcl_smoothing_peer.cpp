@@ -32,7 +32,7 @@ readValues (int count, char** texts)
   return values;
 }
 
-/** Lengths come in spacings of the cloud. */
+/** Converts the lengths among the values from spacings to the cloud's unit. */
 void
 scaleLengths (WorkerValues& values, double spacing)
 {

@@ -34,14 +34,14 @@ workerOf (const PeerRun& run)
   return run.worker.empty () ? PEER_PROGRAM : run.worker;
 }
 
-/** Where the peers see the cloud: at the origin, with a diagonal of 1. MeshLab works in single precision, and CGAL's
-  * WLOP has thresholds that do not scale. */
+/** Normalises the cloud for the peers: centred at the origin, with a diagonal of 1. MeshLab works in single precision,
+  * and CGAL's WLOP has thresholds that do not scale. */
 struct Frame
 {
   Eigen::Vector3d origin;
   double scale;
 
-  /** \throw std::runtime_error where the points have no such place */
+  /** \throw std::runtime_error if a point is not finite, or all are equal */
   explicit Frame (const Points& points)
   {
     Eigen::AlignedBox3d box;
@@ -86,7 +86,7 @@ workerCommand (const WorkFolder& folder, const PeerSetting& setting, const std::
   return command;
 }
 
-/** What a program left. \throw std::runtime_error where there is no point for every one of the \a input */
+/** A peer's output. \throw std::runtime_error if it is not one finite point per \a input point */
 Points
 checked (Points points, const Points& input)
 {
@@ -99,15 +99,14 @@ checked (Points points, const Points& input)
   return points;
 }
 
-/** The program's file name may be relative, but it runs in another folder. */
+/** Makes a relative file name absolute, as the program runs in another folder. */
 std::string
 withFolder (const std::string& program)
 {
   return program.find ('/') == std::string::npos ? program : std::filesystem::absolute (program).string ();
 }
 
-/** The result in the frame of the cloud. \param[in, out] result failure and seconds are set as soon as they are
-  * known */
+/** The result in the peers' frame. \param[in, out] result failure and seconds are set as soon as they are known */
 Points
 runIn (const WorkFolder& folder,
        const PeerSetting& setting,

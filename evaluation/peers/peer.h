@@ -11,59 +11,59 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** One setting of one peer: another method, run as others wrote it. */
+/** One setting of one peer: another method, in a published implementation (LOP: our own). */
 struct PeerSetting
 {
   /** "APSS", "RIMLS", "LOP", "WLOP", "CGAL jet", "CGAL bilateral" or "PCL MLS". */
   std::string peer;
-  /** For people and tables: "filter scale 2, spherical parameter 1". */
+  /** Readable description for tables: "filter scale 2, spherical parameter 1". */
   std::string parameters;
-  /** The peer's own default. Exactly one setting of each peer is. */
+  /** Whether this is the peer's own default. Exactly one setting of each peer is. */
   bool is_default = false;
-  /** By name, what the adapter of this peer reads. Lengths are in spacings of the noisy cloud: the mean over its points
-    * of the mean distance to the 6 nearest others. */
+  /** Values by name, read by the adapter of this peer. Lengths are in spacings of the noisy cloud: here, the mean over
+    * its points of the mean distance to the 6 nearest others. */
   std::map<std::string, double> values;
 };
 
 /** Where and how long a peer may run. */
 struct PeerRun
 {
-  /** Exists and can be written; runPeer leaves nothing behind in it. Runs at the same time may share it. */
+  /** Must exist and be writable; runPeer leaves nothing behind in it. Simultaneous runs may share it. */
   std::string work_folder = ".";
-  /** Seconds of wall time, after which the peer and all that it started are killed. */
+  /** Wall time in seconds after which the peer and all processes that it started are killed. */
   double time_limit = 120;
-  /** Looked up in PATH where it has no slash. */
+  /** Looked up in PATH unless it contains a slash. */
   std::string meshlabserver = "meshlabserver";
-  /** The program that holds all peers but MeshLab's; empty: the one of this build. */
+  /** The program that contains all peers but MeshLab's; empty: that of this build. */
   std::string worker;
 };
 
-/** What came of it. */
+/** The outcome of a peer's run. */
 struct PeerResult
 {
-  /** Point i is what became of input point i. Empty where the peer failed. */
+  /** Point i is the new position of input point i. Empty if the peer failed. */
   std::vector<Eigen::Vector3d> points;
-  /** Empty where it worked, else the reason: "timed out after 120 s". */
+  /** Empty on success, otherwise the reason: "timed out after 120 s". */
   std::string failure;
-  /** The peer's wall time, with starting it, and reading and writing its files. */
+  /** The peer's wall time, including its start and reading and writing its files. */
   double seconds = 0;
 };
 
-/** Every setting of every peer, those of one peer together, in an order that does not change. */
+/** Every setting of every peer, grouped by peer, in a fixed order. */
 std::vector<PeerSetting>
 peerSettings ();
 
-/** Smooths \a noisy as a process of its own, which sees the cloud at the origin with a diagonal of 1. A point that the
-  * peer drops, as PCL's MLS does without neighbors, stays as it was. Several threads may run peers at once.
+/** Smooths \a noisy in a separate process, which sees the cloud at the origin with a diagonal of 1. A point that the
+  * peer drops, as PCL's MLS does if it has no neighbours, keeps its position. Several threads may run peers at once.
   *
-  * Never throws for what the peer does: a crash, a non-zero status, a time-out and output of another size or with
-  * numbers that are not finite are all failures; so is input without two different points, or with one that is not
-  * finite. */
+  * Never throws for what the peer does: a crash, a non-zero status, a time-out, and output with another number of
+  * points or with non-finite coordinates are all reported as failures. So is input with a non-finite point, or without
+  * two different points. */
 PeerResult
 runPeer (const PeerSetting& setting, const std::vector<Eigen::Vector3d>& noisy, const PeerRun& run = {});
 
-/** Why \a peer cannot run on this machine, and what to do, such as "meshlabserver is not installed: run
-  * evaluation/install_peers.sh"; nothing where it can. */
+/** The reason why \a peer cannot run on this machine, and the remedy, such as "meshlabserver is not installed: run
+  * evaluation/install_peers.sh"; nothing if it can. */
 std::optional<std::string>
 whyAbsent (const std::string& peer, const PeerRun& run = {});
 

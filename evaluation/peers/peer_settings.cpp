@@ -19,7 +19,7 @@ using Pair = std::pair<double, double>;
 
 const std::string spacings = " spacings";
 
-/** Collects the settings of one peer after the other. */
+/** Collects the settings, peer by peer. */
 class SettingList
 {
 public:
@@ -56,7 +56,7 @@ private:
   std::string peer_;
 };
 
-/** MeshLab's defaults, what the paper's Table I lists, and what measured lowest. */
+/** MeshLab's defaults, the values in the paper's Table I, and those with the lowest measured error. */
 void
 addMeshLab (SettingList& list)
 {
@@ -72,17 +72,17 @@ addMeshLab (SettingList& list)
     list.add ({{"filter scale", scale}, {"sharpness", sharpness}});
 }
 
-/** Table I gives h in a unit that the paper does not state: about 6 to 9 spacings if it is the diagonal. */
+/** Table I gives h in an unstated unit: about 6 to 9 spacings if it is the diagonal. */
 void
 addLop (SettingList& list)
 {
-  // No program has it: the mean of the paper's mu, the lower end of its h.
+  // No program sets a default: we take the mean of the paper's mu, and the lower end of its h.
   list.begin ("LOP");
   for (const auto& [h, mu] : {Pair {4, .3}, {6, .1}, {6, .3}, {8, .3}})
     list.add ({{"h", h, spacings}, {"mu", mu}, {"iterations", 10}}, h == 6 && mu == .3);
 }
 
-/** CGAL's defaults, or what its examples have where it has none. */
+/** CGAL's defaults, or the values in its examples where it has none. */
 void
 addCgal (SettingList& list)
 {
@@ -102,7 +102,7 @@ addCgal (SettingList& list)
     list.add ({{"neighbors", neighbors}, {"sharpness angle", angle}, {"iterations", 1}});
 }
 
-/** PCL's default order. It has no default radius: that of its tutorial is 3.4 spacings of the cloud there. */
+/** PCL's default order. It has no default radius; that of its tutorial is 3.4 spacings of the tutorial's cloud. */
 void
 addPcl (SettingList& list)
 {

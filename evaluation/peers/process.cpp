@@ -25,7 +25,7 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 constexpr double grace_s = 1;
-// Statuses of coreutils' timeout.
+// Exit statuses of coreutils' timeout.
 constexpr int timed_out_status = 124;
 constexpr int signal_status = 128;
 
@@ -43,7 +43,7 @@ inSeconds (double seconds)
   return text.str ();
 }
 
-/** The last line of a log that says something, shortened. */
+/** The last line of a log that is not blank or a mere notice of the crash, shortened. */
 std::string
 lastWords (const std::string& log)
 {
@@ -59,14 +59,15 @@ lastWords (const std::string& log)
   return words.size () > most ? "..." + words.substr (words.size () - most) : words;
 }
 
-/** What a program's end means. \param[in] wait as waitpid gives it \param[in] log what it printed */
+/** Why a program failed; empty if it succeeded.
+  * \param[in] wait status from waitpid \param[in] log file with the program's output */
 std::string
 describeEnd (int wait, double seconds, double time_limit, const std::string& log)
 {
   const int status = WIFSIGNALED (wait) ? signal_status + WTERMSIG (wait) : WEXITSTATUS (wait);
   if (status == 0)
     return {};
-  // A group that had to be killed ends as if it had crashed.
+  // If timeout had to kill the group, it ends as if it had crashed.
   if (status == timed_out_status || (status == signal_status + SIGKILL && seconds >= time_limit))
     return "timed out after " + inSeconds (time_limit);
   const std::string end = status > signal_status ? std::string ("crashed (") + strsignal (status - signal_status) + ")"
@@ -75,12 +76,12 @@ describeEnd (int wait, double seconds, double time_limit, const std::string& log
   return words.empty () ? end : end + ": " + words;
 }
 
-/** Waits a moment for what is left of a group, which may still be tidying up, then kills it. */
+/** Waits briefly for the remaining processes of a group, which may still be cleaning up, then kills them. */
 void
 endGroup (pid_t group)
 {
   const auto start = Clock::now ();
-  // The orphans of the group are children of this process.
+  // Orphans of the group become children of this process.
   const auto isLeft = [group] {
     while (::waitpid (-group, nullptr, WNOHANG) > 0)
       ;
@@ -93,8 +94,8 @@ endGroup (pid_t group)
     ;
 }
 
-/** The environment with the folder as the place of temporary files, and threads that wait not keeping others from the
-  * cores. */
+/** The environment, with the folder for temporary files, and with OpenMP threads that leave the cores to others while
+  * they wait. */
 std::vector<std::string>
 environmentFor (const WorkFolder& folder)
 {
@@ -119,7 +120,7 @@ pointersTo (std::vector<std::string>& texts)
   return pointers;
 }
 
-/** \return 0, or the error number of what failed; signals are as they are for a new program */
+/** \return 0, or the error number of the failure; the new program starts with default signal handling */
 int
 spawn (std::vector<std::string> command, const WorkFolder& folder, pid_t& process)
 {
@@ -163,7 +164,7 @@ WorkFolder::~WorkFolder ()
 ProcessOutcome
 runProcess (const std::vector<std::string>& command, const WorkFolder& folder, double time_limit)
 {
-  // coreutils' timeout ends the whole group: at the limit, and at once where this program does not live till then.
+  // coreutils' timeout ends the whole group: at the limit, or at once if this program dies before.
   std::vector<std::string> limited {"setpriv",
                                     "--pdeathsig",
                                     "TERM",
@@ -173,7 +174,7 @@ runProcess (const std::vector<std::string>& command, const WorkFolder& folder, d
   limited.insert (limited.end (), command.begin (), command.end ());
   const auto start = Clock::now ();
   pid_t process = 0;
-  ::prctl (PR_SET_CHILD_SUBREAPER, 1); // what a program leaves running comes to this process, which can wait for it
+  ::prctl (PR_SET_CHILD_SUBREAPER, 1); // this process inherits what a program leaves running, and can wait for it
   if (const int error = spawn (limited, folder, process))
     return {std::string ("cannot be started: ") + std::strerror (error), 0};
   int wait = 0;

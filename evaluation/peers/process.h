@@ -7,11 +7,11 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** A folder of its own for one run, which goes with all that is in it. */
+/** A folder for one run, removed together with its contents. */
 class WorkFolder
 {
 public:
-  /** \param[in] parent exists \throw std::runtime_error where no folder can be made in it */
+  /** \param[in] parent must exist \throw std::runtime_error if no folder can be made in it */
   explicit WorkFolder (const std::string& parent);
 
   ~WorkFolder ();
@@ -40,21 +40,20 @@ private:
 /** How a program ended. */
 struct ProcessOutcome
 {
-  /** Empty where it ended with status 0, else what happened, with the last that it said. */
+  /** Empty if it ended with status 0, otherwise what happened, with the last line that it printed. */
   std::string failure;
   /** Wall time. */
   double seconds = 0;
 };
 
-/** Runs a program in a process group of its own, with the folder as its current one and as its place for temporary
-  * files; it reads nothing, and what it prints goes to the file "log" there. When this returns, the whole group is
-  * gone.
+/** Runs a program in its own process group, with the folder as working directory and for temporary files. Its input is
+  * empty, and its output goes to the file "log" there. When this returns, no process of the group is left.
   * \param[in] command the program, looked up in PATH, and its arguments
   * \param[in] time_limit in seconds, after which the group is ended */
 ProcessOutcome
 runProcess (const std::vector<std::string>& command, const WorkFolder& folder, double time_limit);
 
-/** The program is a file that can be run, or PATH has one of that name. */
+/** Whether the program is an executable file, or PATH has one of that name. */
 bool
 isInstalled (const std::string& program);
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/** Methods of libraries, and LOP: points and the values of a setting in, points in the same order out. Those lengths
-  * among the values that are in spacings must have been turned into the points' unit. A value that is missing throws
+/** Methods of libraries, and LOP. They take points and the values of a setting, and return points in the same order.
+  * Lengths that a setting gives in spacings must already be converted to the points' unit. A missing value throws
   * std::out_of_range. */
 namespace pcl_normal_smoothing::evaluation
 {
@@ -16,7 +16,7 @@ namespace pcl_normal_smoothing::evaluation
 using WorkerPoints = std::vector<Eigen::Vector3d>;
 using WorkerValues = std::map<std::string, double>;
 
-/** Mean over all points of the mean distance to the 6 nearest others, as CGAL's own defaults use it. */
+/** Mean over all points of the mean distance to the 6 nearest others, the measure of CGAL's own defaults. */
 double
 averageSpacing (const WorkerPoints& points);
 
@@ -28,12 +28,12 @@ smoothWithWlop (const WorkerPoints& points, const WorkerValues& values);
 WorkerPoints
 smoothWithJets (const WorkerPoints& points, const WorkerValues& values);
 
-/** Reads "neighbors", "sharpness angle" and "iterations". The normals are CGAL's, by PCA and oriented along the minimum
+/** Reads "neighbors", "sharpness angle" and "iterations". The normals are by CGAL: PCA, oriented along the minimum
   * spanning tree. */
 WorkerPoints
 smoothBilaterally (const WorkerPoints& points, const WorkerValues& values);
 
-/** Reads "radius" and "order". Where PCL drops a point, it stays as it was. */
+/** Reads "radius" and "order". Points that PCL drops keep their positions. */
 WorkerPoints
 smoothWithMovingLeastSquares (const WorkerPoints& points, const WorkerValues& values);
 

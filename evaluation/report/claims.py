@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the rerun bears out what the paper says. Every verdict is computed from the rows."""
+"""Whether the rerun confirms the paper's statements. Every verdict is computed from the rows."""
 
 import statistics
 
@@ -17,7 +17,7 @@ def group_name(group):
 
 
 def group_medians(rows, column):
-    """Median over weights and iterations for each estimator and k; empty unless all nine groups have rows."""
+    """The median over weights and iterations for each estimator and k; empty unless all nine groups have rows."""
     medians = {}
     for group in GROUPS:
         values = [row[column] for row in rows if (estimator_of(row), row["k"]) == group and row[column] is not None]
@@ -86,7 +86,7 @@ def thresholded_best_on_area(study, noise):
 
 def competitive_with_rimls(cases):
     """Table I: 'our method is quite competitive, outperforming in some cases RIMLS'. \\a cases are (ours, rimls) rows, each the
-    best of its kind on one model and noise."""
+    best by E_A and E_k on one model and noise."""
     claim = "The paper's chain is competitive with RIMLS (best of each by E_A and E_k)"
     if not cases:
         return UNTOLD, f"{claim}: there is no case where both the sweep and RIMLS have a result."
@@ -100,7 +100,7 @@ def competitive_with_rimls(cases):
 
 
 def competitive_by_distance(cases):
-    """The same question, asked by p2s: \\a cases are (ours, rimls) rows, each the best by p2s."""
+    """The same claim, judged by p2s: \\a cases are (ours, rimls) rows, each the best by p2s."""
     claim = "By the distance to the surface, each tuned for it"
     cases = [case for case in cases if case[0]["p2s_ratio"] is not None and case[1]["p2s_ratio"] is not None]
     if not cases:
@@ -112,7 +112,7 @@ def competitive_by_distance(cases):
 
 
 def combined_score(rows, reference):
-    """E_A and E_k (k 15) of each row, each over its median in \\a reference, added: low is best on both."""
+    """For each row, the sum of E_A and E_k (k 15), each divided by its median in \\a reference; lower is better."""
     area = statistics.median(row["E_A"] for row in reference) or 1
     curvature = statistics.median(row["E_k15"] for row in reference) or 1
     return {id(row): row["E_A"] / area + row["E_k15"] / curvature for row in rows}

@@ -21,7 +21,7 @@ WIDTH, COLOURS = 1000, 256
 
 
 def shrink(path, target, width=WIDTH, colours=COLOURS):
-    """Smaller in pixels and colours."""
+    """Writes the picture with fewer pixels and colours."""
     picture = PIL.Image.open(path).convert("RGB")
     height = round(picture.height * width / picture.width)
     picture = picture.resize((width, height), PIL.Image.LANCZOS)
@@ -30,7 +30,7 @@ def shrink(path, target, width=WIDTH, colours=COLOURS):
 
 
 def strip(study, stage, model_name, noise, work):
-    """Noisy, the paper's preset, the best peer, ours, coloured by distance."""
+    """The noisy cloud, the paper's preset, the best peer and our presets in a row, coloured by distance."""
     model = gallery.Model(study, model_name)
     where = {"model": model_name, "noise": noise, "sigma": study.sigma}
     peer = best_peer(entries(study, **where))
@@ -65,7 +65,7 @@ def main():
     os.makedirs(options.images, exist_ok=True)
     with tempfile.TemporaryDirectory() as work:
         counts = {name: len(study.select(model=name, noise=options.noise, family="peer")) for name in study.models}
-        studied = [name for name, count in counts.items() if count == max(counts.values())]  # whole ones
+        studied = [name for name, count in counts.items() if count == max(counts.values())]  # fully studied models
         no_gaps = {"ours", "peer", "noisy"} | ({"sweep"} if study.select(family="sweep") else set())
         by_model = {
             name: [e for e in entries(study, model=name, noise=options.noise, sigma=study.sigma) if e.group in no_gaps]

@@ -63,7 +63,7 @@ def add(study, page, folder, stage, tools):
 
 
 def _fields(points, path, tools):
-    """(title, normals) three times: estimated, filtered without flips, with."""
+    """Three pairs (title, normals): estimated, filtered without flips, filtered with flips."""
     with tempfile.TemporaryDirectory() as folder:
         estimated, mixed = os.path.join(folder, "estimated.ply"), os.path.join(folder, "mixed.ply")
         run(tools, "pcl_wpca_normal_estimation", path, estimated, "-k", K)
@@ -92,12 +92,12 @@ def _fields(points, path, tools):
 
 
 def _angles(normals, truth):
-    """Degrees, blind to the sign."""
+    """Angles in degrees, regardless of sign."""
     return numpy.degrees(numpy.arccos(numpy.clip(numpy.abs((normals * truth).sum(axis=1)), 0, 1)))
 
 
 def _patch(model):
-    """Points of a part that is large enough to see single needles, and how to look at it."""
+    """Selects a part of the points, small enough for single needles to be seen, and a view of it."""
     seen = model.view
     corner = model.points[(model.points @ (0.6 * seen.right + 0.5 * seen.up - 0.4 * seen.looking)).argmax()]
     away = numpy.linalg.norm(model.points - corner, axis=1)

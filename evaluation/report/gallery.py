@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's Figs. 1, 4 and 5: every method on every model, coloured by two measures, one camera and scale a model."""
+"""The paper's Figs. 1, 4 and 5: every method on every model, coloured by two measures; one camera and one scale per model."""
 
 import numpy
 
@@ -15,7 +15,7 @@ VARIATION = ("surface variation (k 15)", "viridis")
 
 
 class Model:
-    """The clean mesh of a model, and how to look at it."""
+    """The clean mesh of a model, and a view of it."""
 
     def __init__(self, study, name):
         path = study.mesh(name)
@@ -29,14 +29,14 @@ class Model:
         self.view = view_of(self.points, self.triangles)
 
     def cloud(self, path):
-        """Points of a result; as many as the mesh has."""
+        """The points of a result, which must be as many as the mesh has."""
         points = geometry.points_of(geometry.read_ply(path))
         if len(points) != len(self.points):
             raise geometry.Unreadable(f"{path} holds {len(points)} points, the mesh {len(self.points)}")
         return points
 
     def normals(self):
-        """Of the vertices, weighted by area."""
+        """Normals of the vertices, weighted by triangle area."""
         corners = self.points[self.triangles]
         faces = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         normals = numpy.zeros_like(self.points)
@@ -52,7 +52,7 @@ def lowest(rows):
 
 
 def shown_rows(study, model, noise):
-    """(title, row or None, reason) of what is set side by side."""
+    """A tuple (title, row or None, reason) for each picture of the comparison."""
     where = {"model": model, "noise": noise, "sigma": study.sigma}
     cases = [("noisy", "noisy", {"family": "noisy"})]
     cases += [(peer, "peer", {"family": "peer", "name": peer}) for peer in PEERS]
@@ -85,7 +85,7 @@ def add(study, page, folder, stage, progress):
     _add_first(study, page, folder, stage, loaded)
     for model in loaded.values():
         if model.name in SHEETS:
-            continue  # seen from outside, one hides the other: Fig. 10 cuts across them
+            continue  # from outside, one sheet hides the other: see the sections of Fig. 10
         progress(f"renderings of {model.name}")
         _add_model(study, page, folder, stage, model)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes and clouds as arrays, and the two colours of the renderings."""
+"""Meshes and clouds as arrays, and the two measures that colour the renderings."""
 
 import numpy
 import scipy.spatial
@@ -11,7 +11,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 
 
 class Unreadable(Exception):
-    """A file that is not what it should be; the text says which."""
+    """A file has unexpected content; the text says which."""
 
 
 def read_ply(path):
@@ -26,18 +26,18 @@ def read_ply(path):
 
 
 def points_of(data):
-    """Points, n x 3."""
+    """The points, n x 3."""
     return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
 
 
 def normals_of(data):
-    """Normals, n x 3, or None."""
+    """The normals, n x 3, or None."""
     normals = data.GetPointData().GetNormals()
     return vtk_to_numpy(normals).astype(float) if normals else None
 
 
 def triangles_of(data):
-    """Indices, m x 3; faces of more corners are left out."""
+    """The triangles' indices, m x 3; faces with more corners are left out."""
     cells = data.GetPolys()
     offsets = vtk_to_numpy(cells.GetOffsetsArray())
     corners = vtk_to_numpy(cells.GetConnectivityArray())
@@ -46,7 +46,7 @@ def triangles_of(data):
 
 
 def surface(points, triangles):
-    """Polygon data of a triangle mesh."""
+    """A triangle mesh as polygon data."""
     data = vtkPolyData()
     holder = vtkPoints()
     holder.SetData(numpy_to_vtk(numpy.ascontiguousarray(points, dtype=numpy.float32), deep=True))
@@ -60,7 +60,7 @@ def surface(points, triangles):
 
 
 def mean_edge(points, triangles):
-    """Mean length of the triangles' sides."""
+    """Mean length of the triangles' edges; shared ones count once."""
     sides = numpy.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     sides = numpy.unique(numpy.sort(sides, axis=1), axis=0)
     return float(numpy.linalg.norm(points[sides[:, 0]] - points[sides[:, 1]], axis=1).mean())
@@ -76,7 +76,7 @@ def distances(points, mesh):
 
 
 def surface_variation(points, k=15):
-    """Smallest over the sum of the covariance's eigenvalues, of the k nearest points, the point itself included."""
+    """Smallest eigenvalue over the sum of all, for the covariance of the k nearest points, the point itself included."""
     _, neighbours = scipy.spatial.cKDTree(points).query(points, k=min(k, len(points)))
     offsets = points[neighbours] - points[neighbours].mean(axis=1, keepdims=True)
     eigenvalues = numpy.linalg.eigvalsh(numpy.einsum("nki,nkj->nij", offsets, offsets))
@@ -90,7 +90,7 @@ def spacings(points, place):
 
 
 def write_ply(path, points, normals):
-    """A binary PLY with normals, which the tools read."""
+    """Writes a binary PLY with normals, which the tools can read."""
     names = "x y z normal_x normal_y normal_z".split()
     header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}"]
     header += [f"property float {name}" for name in names] + ["end_header", ""]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the paper's two measures do not show, and what of its table cannot be repeated."""
+"""What the paper's two measures do not show, and which parts of its table cannot be reproduced."""
 
 import matplotlib.pyplot as plt
 import numpy
@@ -49,7 +49,7 @@ def add_printed_curvature(study, page):
 
 
 def ranks(values):
-    """Ranks from 0, ties by their mean."""
+    """Ranks from 0; equal values get their mean rank."""
     values = numpy.asarray(values)
     _, inverse, counts = numpy.unique(values, return_inverse=True, return_counts=True)
     ends = numpy.cumsum(counts)
@@ -57,7 +57,7 @@ def ranks(values):
 
 
 def rank_correlation(first, second):
-    """Spearman's: 1 where both order alike, 0 where one says nothing on the other; None for fewer than 3 values."""
+    """Spearman's rank correlation: 1 for equal order, 0 for unrelated; None for fewer than 3 values or a constant list."""
     if len(first) < 3 or len(set(first)) == 1 or len(set(second)) == 1:
         return None
     return float(numpy.corrcoef(ranks(first), ranks(second))[0, 1])
@@ -89,7 +89,7 @@ def add_area(study, page, folder):
 
 
 def _opposite_steps(rows):
-    """How often more point iterations lower E_A while they raise p2s."""
+    """How often more point iterations reduce E_A while they increase p2s."""
     courses = {}
     for row in rows:
         courses.setdefault((row["model"], row["noise"], row["seed"], row["name"], row["normal_iterations"]), []).append(row)

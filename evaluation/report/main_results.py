@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Main results: distance to the surface, every method, model and noise, with the spread over the seeds."""
+"""Main results: the distance to the surface for every method, model and noise, with the spread over the seeds."""
 
 import math
 
@@ -113,7 +113,7 @@ def _draw_dots(axis, found, highest):
 
 
 def ratio_cell(entry):
-    """Mean, and half the width of the spread where there are several seeds."""
+    """The mean, and half the width of the spread if there are several seeds."""
     if entry.mean() is None:
         return Gap("–")
     low, high = entry.spread()
@@ -148,7 +148,7 @@ def _ratio_table(page, study, by_model):
 
 
 def _list_gaps(page, by_model):
-    """Each reason once, with the methods and models that it holds for."""
+    """Lists each reason once, with the methods and models that it applies to."""
     reasons = {}
     for model, found in by_model.items():
         for entry in found:
@@ -165,7 +165,7 @@ def _list_gaps(page, by_model):
 
 
 def _model_table(page, found):
-    """Every column of the rows that says how good a result is; a column without a value is left out."""
+    """A table of all quality measures; columns without any value are left out."""
     columns = [(title, name) for title, name in COLUMNS if any(entry.mean(name) is not None for entry in found)]
     rows = []
     for entry in found:
@@ -188,7 +188,7 @@ def _model_table(page, found):
 
 
 def conclusions(study):
-    """Sentences for the top of the page, each computed from the rows."""
+    """Sentences for the top of the page, computed from the rows."""
     said = []
     for noise in study.noises:
         by_model = {m: entries(study, model=m, noise=noise, sigma=study.sigma) for m in study.models}

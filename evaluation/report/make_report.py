@@ -34,7 +34,7 @@ def progress(text):
 
 
 def make(study, folder, tools, scan, why_no_pictures=""):
-    """The page, complete; what cannot be drawn is a gap with its reason."""
+    """Builds the complete page; what cannot be drawn is a gap with its reason."""
     page = Page("Smoothing study", overview.lead(study))
     progress("tables and plots")
     overview.add(study, page)
@@ -48,7 +48,7 @@ def make(study, folder, tools, scan, why_no_pictures=""):
 
 
 def make_and_write(options, why_no_pictures=""):
-    """Ends the process: with status 2 where the report cannot be written."""
+    """Exits with status 2 if the report cannot be written."""
     folder = os.path.join(options.study, "report")
     try:
         os.makedirs(folder, exist_ok=True)
@@ -60,7 +60,7 @@ def make_and_write(options, why_no_pictures=""):
 
 
 def run(*arguments):
-    """A process of its own, as drivers crash in ways that no exception tells of. Returns its status."""
+    """Makes the report in a child process, as graphics drivers may crash without an exception. Returns its status."""
     process = multiprocessing.get_context("fork").Process(target=make_and_write, args=arguments)
     process.start()
     process.join()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A display for VTK where there is none."""
+"""A display for VTK on machines without one."""
 
 import contextlib
 import os
@@ -9,12 +9,12 @@ import subprocess
 
 
 class NoDisplay(Exception):
-    """Nothing can be rendered; the text says why."""
+    """Nothing can be rendered; the text gives the reason."""
 
 
 @contextlib.contextmanager
 def display():
-    """An X server of our own while the block runs, whatever display there is: its pictures are the same everywhere."""
+    """Runs an X server of our own during the block, even if there is a display: its pictures are the same on every machine."""
     if not shutil.which("Xvfb"):
         raise NoDisplay("Xvfb is not installed: run evaluation/install_report.sh")
     reading, writing = os.pipe()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The beginning of the page: what the study says and what was run; and its end: what has no result."""
+"""The beginning of the page: conclusions and what was run; and its end: what has no result."""
 
 import main_results
 import style

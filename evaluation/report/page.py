@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One self-contained HTML page: nothing in it is loaded from anywhere else."""
+"""One self-contained HTML page, which loads nothing else."""
 
 import base64
 import html
@@ -47,12 +47,12 @@ code { background: #f2f2f4; padding: .08rem .3rem; border-radius: 3px; font-size
 
 
 def escape(value):
-    """Text of the data, safe in HTML."""
+    """Text from the data, escaped for HTML."""
     return html.escape(str(value))
 
 
 def format_number(value, digits=3):
-    """With so many significant digits, never in powers of ten; None stays None."""
+    """The value with the given number of significant digits, never in powers of ten; None stays None."""
     if value is None:
         return None
     if value == 0:
@@ -64,7 +64,7 @@ def format_number(value, digits=3):
 
 
 def embedded(path):
-    """The picture as a data URI: pictures of many colours as JPEG, the others as PNG."""
+    """The picture as a data URI: large PNGs (above 400 kB) as JPEG, others as they are."""
     if path.endswith(".png") and os.path.getsize(path) > 400_000:
         buffer = io.BytesIO()
         PIL.Image.open(path).convert("RGB").save(buffer, "JPEG", quality=88, optimize=True)
@@ -77,11 +77,11 @@ VERDICTS = "<!-- verdicts -->"
 
 
 class Gap(str):
-    """A cell that has no value, and why."""
+    """A table cell without a value; its text gives the reason."""
 
 
 class Page:
-    """Gathers sections in order, then writes the page."""
+    """Collects sections in order, then writes the page."""
 
     def __init__(self, title, lead):
         self.title, self.lead = title, lead
@@ -95,7 +95,7 @@ class Page:
         self.parts.append(f"<h3>{escape(title)}</h3>")
 
     def text(self, text):
-        """HTML as it is: what comes from the data must be escaped."""
+        """Adds HTML unchanged: text from the data must be escaped by the caller."""
         self.parts.append(f"<p>{text}</p>")
 
     def points(self, items):
@@ -110,7 +110,7 @@ class Page:
         self.parts.append(f'<div class="verdict {kind}"><b>{escape(verdict.capitalize())}.</b> {escape(text)}</div>')
 
     def all_verdicts(self):
-        """A list of every verdict of the page, in short, at this place; also of those that are yet to come."""
+        """Inserts here a short list of all verdicts of the page, including those added later."""
         self.parts.append(VERDICTS)
 
     def figure(self, path, caption):
@@ -122,7 +122,7 @@ class Page:
         )
 
     def table(self, header, rows, caption="", strong=(), rules=()):
-        """Cells are texts, numbers already formatted, or Gap. \\a strong and \\a rules are indices of rows."""
+        """Cells are texts, formatted numbers or Gaps. \\a strong and \\a rules are indices of rows."""
         numeric = [all(_looks_numeric(row[i]) for row in rows) for i in range(len(header))]
         parts = ['<div class="scroll"><table>']
         if caption:
@@ -137,7 +137,7 @@ class Page:
         self.parts.append("".join(parts) + "</tbody></table></div>")
 
     def write(self, path):
-        """Complete or not at all: beside the target first, then renamed."""
+        """Writes the whole file or nothing: first beside the target, then renamed."""
         contents = "".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title in self.contents)
         verdicts = "".join(
             f"<li><b>{escape(verdict.capitalize())}</b>: {escape(text.split(': ')[0])}</li>"

@@ -12,14 +12,14 @@ import style
 
 
 class Panel:
-    """One picture, or None and the reason; a title and a line below it."""
+    """A picture, or None and the reason; with a title above and a line below."""
 
     def __init__(self, title, image=None, below="", reason=""):
         self.title, self.image, self.below, self.reason = title, image, below, reason
 
 
 def save(panels, folder, name, columns=4, width=2.75, aspect=1.3, bar=None):
-    """\\a bar: (colours, limits, label) or None. Returns the path of the PNG."""
+    """Draws the panels in a grid. \\a bar: (colours, limits, label) or None. Returns the path of the PNG."""
     columns = min(columns, len(panels))
     rows = math.ceil(len(panels) / columns)
     height = width / aspect + 0.52

@@ -180,7 +180,7 @@ def add_scatter(study, page, folder):
 
 
 def marked_rows(rows):
-    """The rows that the paper's Fig. 8 points out."""
+    """The rows that the paper marks in Fig. 8."""
     scores = claims.combined_score(rows, rows)
     order = sorted(rows, key=lambda row: scores[id(row)])
     return {
@@ -217,7 +217,7 @@ def _scatter(axis, rows, column, marked):
 
 
 def _mark(axis, what, x, y):
-    """A circle and a word beside it."""
+    """Draws a circle with a label beside it."""
     axis.plot(x, y, "o", markersize=9, markerfacecolor="none", markeredgecolor=style.RED, markeredgewidth=1.6)
     axis.annotate(
         what,

@@ -20,7 +20,7 @@ MOVED = ("distance to the clean surface, in mean edge lengths", "gist_heat_r", (
 TURNED = ("angle to the true normal, in degrees", "gist_heat_r", (0, 40))
 K = ("-k", 15)
 
-# page: (what colours tell, commands in the order of their work, (title, options of the last command)...)
+# page: (what the colours show, commands in the order in which they run, (title, options of the last command)...)
 # {sigma} and {edge} are the noise and the mean edge length, in the cloud's unit.
 PAGES = {
     "normal_smoothing": (MOVED, (("pcl_normal_smoothing",),), (
@@ -68,7 +68,7 @@ def lengths(model):
 
 
 def image(stage, model, cloud, kind):
-    """The surface with its vertices at the points, or lit by the points' own normals."""
+    """Renders the surface: with its vertices at the points, coloured by distance, or lit by the points' own normals."""
     points = geometry.points_of(cloud)
     _, colours, limits = kind
     if kind is MOVED:
@@ -100,7 +100,7 @@ def draw_page(name, model, noisy, tools, stage, work):
 
 
 class OneMesh:
-    """In place of a study: the model of a file."""
+    """Stands in for a study: provides one mesh file as its model."""
 
     def __init__(self, path):
         self.path = path

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""All renderings of the page. What cannot be rendered is a gap with the reason."""
+"""All renderings of the page. If something cannot be rendered, there is a gap with the reason."""
 
 from off_screen import NoDisplay, display
 
 
 def add(study, page, folder, tools, scan, progress, why_none=""):
-    """\a why_none: why nothing can be rendered, where that is known already."""
+    """\a why_none: the reason, if it is already known that nothing can be rendered."""
     page.section("pictures", "Pictures: Figs. 1, 4 and 5")
     if why_none:
         page.gap("all renderings", why_none)

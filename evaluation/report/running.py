@@ -6,7 +6,7 @@ import subprocess
 
 
 class ToolTrouble(Exception):
-    """A tool is missing or did not do its work; the text says why."""
+    """A tool is missing or failed; the text gives the reason."""
 
 
 def run(tools, name, *arguments):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's Fig. 9: a real scan with raw noise, the paper's choice beside our default."""
+"""The paper's Fig. 9: a real scan with its raw noise, smoothed by the paper's choice and by our default."""
 
 import os
 import tempfile
@@ -16,7 +16,7 @@ from panels import Panel, save
 from running import ToolTrouble, run
 from scene import RAKING, View, coloured
 
-WHOLE = 20000  # points of a scan that is shown whole; of a larger one only the middle, or its noise cannot be seen
+WHOLE = 20000  # larger scans are cropped, or their noise could not be seen
 CASES = (("raw scan", None), ("paper: PGU7, 5 and 7 iterations", "paper"), ("ours: default", "default"))
 
 
@@ -46,7 +46,7 @@ def add(page, folder, stage, tools, scan):
 
 
 def _cloud(scan, preset, tools, work):
-    """Finite points, which are the same ones before and after smoothing, and their normals."""
+    """The finite points, the same ones before and after smoothing, and their normals."""
     smoothed, shown = scan, os.path.join(work, "shown.ply")
     if preset:
         smoothed = os.path.join(work, "smoothed.ply")
@@ -61,8 +61,8 @@ def _cloud(scan, preset, tools, work):
 
 
 def scan_view(points, normals):
-    """From a depth camera's place where all points lie before it (z forward, y down), else along -z with y up. The
-    outermost thousandth does not count for the frame; of a large scan only the ninth that shows most slopes does."""
+    """From the depth camera's position if all points lie in front of it (z forward, y down), otherwise along -z with y up. The
+    frame leaves out the outermost thousandth on each side; of a large scan it shows the ninth with the most varied slopes."""
     if len(points) <= WHOLE:
         low, high = numpy.percentile(points[:, :2], [0.1, 99.9], axis=0)
         inner = _within(points, low, high)
@@ -85,7 +85,7 @@ def _within(points, low, high):
 
 
 def _unlikeness(normals):
-    """0 where all are alike, whatever their signs; grows with their number."""
+    """How much the normals differ, whatever their signs: 0 if all are parallel; grows with their number."""
     return len(normals) - numpy.linalg.eigvalsh(normals.T @ normals)[-1] if len(normals) else 0
 
 
@@ -103,7 +103,7 @@ def _discs(points, normals, radii):
 
 
 def _disc():
-    """Of radius 1, across x: glyphs turn x into the normal."""
+    """A disc of radius 1, perpendicular to x, as glyphs align x with the normal."""
     disc = vtkDiskSource()
     disc.SetInnerRadius(0)
     disc.SetOuterRadius(1)

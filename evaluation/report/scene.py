@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of surfaces and points by VTK, all through one camera."""
+"""Pictures of surfaces and points by VTK, all taken with one kind of camera."""
 
 import numpy
 import vtkmodules.vtkInteractionStyle  # noqa: F401 (registers)
@@ -17,13 +17,13 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 PLAIN = (0.83, 0.84, 0.86)
-# Where lights stand, seen from the camera (right, up, back), and how strong they are.
+# Positions of the lights relative to the camera (right, up, back), and their intensities.
 FRONT = (((-0.35, 0.5, 1), 0.8), ((0.9, -0.1, 0.5), 0.35))
 RAKING = (((-1, 0.7, 0.3), 0.8), ((0.2, 0, 1), 0.25))
 
 
 class View:
-    """A parallel camera that looks at points: direction looked along, up, centre, and half the size of what is seen."""
+    """A parallel camera: viewing direction, up, centre, and half the width and height of the visible part."""
 
     def __init__(self, points, looking, up, margin=1.04):
         self.looking = numpy.asarray(looking) / numpy.linalg.norm(looking)
@@ -39,13 +39,13 @@ class View:
         self.depth = max(numpy.ptp(depth), self.half_height, 1e-12)
 
     def aspect(self):
-        """Width over height, within what fits a page."""
+        """Width over height, clamped to what fits on a page."""
         return min(max(self.half_width / self.half_height, 0.6), 2.2)
 
 
 def view_of(points, triangles):
-    """A view with y upward, as most meshes stand, from somewhat above: of several around the shape, the one that shows a
-    broad side and many slopes, since a flat back says little."""
+    """A view from somewhat above, with y upward, as most meshes stand. Of several around the shape, chooses the one that shows
+    a broad side and varied slopes, since a flat back shows little."""
     corners = points[triangles]
     faces = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     areas = numpy.maximum(numpy.linalg.norm(faces, axis=1), 1e-300)
@@ -61,7 +61,7 @@ def view_of(points, triangles):
 
 
 class Stage:
-    """One off-screen window; draw() gives pictures as arrays. Close it before its display goes."""
+    """One off-screen window; draw() returns pictures as arrays. Close it while its display still exists."""
 
     def __init__(self, height=560):
         self.height = height
@@ -76,7 +76,7 @@ class Stage:
         self.window.Finalize()
 
     def draw(self, actors, view, lights=FRONT):
-        """An array, height x width x 3, white behind."""
+        """An array, height x width x 3, with a white background."""
         renderer = vtkRenderer()
         renderer.SetBackground(1, 1, 1)
         renderer.AutomaticLightCreationOff()
@@ -117,7 +117,7 @@ class Stage:
 
 
 def coloured(data, values=None, limits=(0, 1), colours="viridis", flat=True):
-    """An actor of polygon data, coloured by a value a point, or plain."""
+    """An actor for polygon data, plain or coloured by one value per point."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's Fig. 10: two close sheets, cut across."""
+"""The paper's Fig. 10: two close sheets in cross-section."""
 
 import os
 import tempfile
@@ -61,7 +61,7 @@ def _kept(study, model, noise, wanted):
 
 
 def _oriented(model, noisy, tools):
-    """As _kept(), of our default with the sign of the clean sheet's normals."""
+    """As _kept(), for our default given normals oriented like those of the clean sheets."""
     if noisy is None:
         return None, "the noisy cloud is not in this study", None
     with tempfile.TemporaryDirectory() as folder:
@@ -94,7 +94,7 @@ def _draw(model, cuts, folder, name):
 
 
 def _frame(points):
-    """Long, middle and thin axis."""
+    """The long, the middle and the thin axis of the points."""
     _, axes = numpy.linalg.eigh(numpy.cov(points.T))
     return axes[:, 2], axes[:, 1], axes[:, 0]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The output folder of pcl_smoothing_study, as the report reads it."""
+"""The output folder of pcl_smoothing_study, as read by the report."""
 
 import csv
 import json
@@ -24,13 +24,13 @@ def number(text):
 
 
 def mean(values):
-    """Of the values that are there; None where none is."""
+    """Mean of the values that are not None; None if there are none."""
     there = [value for value in values if value is not None]
     return sum(there) / len(there) if there else None
 
 
 def geometric_mean(values):
-    """Of the values that are there and positive; None where none is."""
+    """Geometric mean of the positive values; None if there are none."""
     there = [math.log(value) for value in values if value is not None and value > 0]
     return math.exp(sum(there) / len(there)) if there else None
 
@@ -41,8 +41,8 @@ def ordered(values):
 
 
 class Study:
-    """Rows are dictionaries by the columns of rows.csv: texts, and numbers or None. A missing or damaged file leaves less to
-    report and a note that says so, never an exception."""
+    """Rows are dictionaries by the columns of rows.csv: texts, and numbers or None. If a file is missing or damaged, there is
+    less to report, and a note says so; no exception is raised."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -72,7 +72,7 @@ class Study:
             with open(path, newline="", encoding="utf-8", errors="replace") as file:
                 for line in csv.DictReader(file):
                     if None in line or not line.get("model") or line.get("status") not in ("ok", "failed", "absent"):
-                        damaged += 1  # the last line of a study that was killed
+                        damaged += 1  # the last line, if the study was killed
                         continue
                     row = {name: (line.get(name) or "").strip() for name in TEXTS}
                     row.update({name: number(line.get(name)) for name in NUMBERS})
@@ -84,7 +84,7 @@ class Study:
         return rows
 
     def select(self, status="ok", **wanted):
-        """The rows whose columns equal the wanted values; status None: whatever became of them."""
+        """The rows whose columns equal the wanted values; status None: with any status."""
         return [
             row
             for row in self.rows
@@ -102,16 +102,16 @@ class Study:
         return (exact + near + [None])[0]
 
     def path(self, relative):
-        """The file in the study's folder, or None where there is none."""
+        """Path of a file in the study's folder, or None if it does not exist."""
         path = os.path.join(self.folder, relative) if relative else None
         return path if path and os.path.isfile(path) else None
 
     def mesh(self, model):
-        """The clean mesh's file, or None."""
+        """Path of the clean mesh, or None."""
         return self.path(self.model_info.get(model, {}).get("file") or f"models/{model}.ply")
 
     def why_missing(self, **wanted):
-        """Why there is no such row: the reason of one that failed, or that it was not run."""
+        """Why there is no such row: the reasons of failed or absent ones, or that it was not run."""
         reasons = ordered(row["reason"] for row in self.select(status=None, **wanted) if row["status"] != "ok")
         return "; ".join(reasons) if reasons else "not in this study"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How the figures look, and where they go."""
+"""The style of the figures, and saving them."""
 
 import os
 
@@ -9,7 +9,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (the backend comes first)
 from matplotlib.ticker import LogLocator, NullLocator  # noqa: E402
 
-# Okabe and Ito's colours, which colour-blind people tell apart.
+# Okabe and Ito's colours, which colour-blind people can tell apart.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9"
 GREY, DARK, LIGHT = "#7a7a7a", "#222222", "#e4e4e4"
 ESTIMATOR_COLOURS = {"P": BLUE, "WP": GREEN, "H": ORANGE}
@@ -30,30 +30,30 @@ plt.rcParams.update({
 
 
 def model_title(name):
-    """'double_torus' as people read it."""
+    """'double_torus' in readable form."""
     return name.replace("_", " ")
 
 
 def plain_number(value, _place=None):
-    """0.002, 0.5, 20: never a power of ten."""
+    """Formats 0.002, 0.5, 20: never as a power of ten."""
     return f"{value:.6f}".rstrip("0").rstrip(".") if value < 1 else f"{value:.3g}" if value < 1000 else f"{value:.0f}"
 
 
 def plain_ticks(axis):
-    """Plain numbers, few of them, on an axis (axes.xaxis or axes.yaxis) that is logarithmic already."""
+    """Sets few ticks with plain numbers on an axis (axes.xaxis or axes.yaxis) that is already logarithmic."""
     axis.set_major_locator(LogLocator(subs=(1, 2, 5), numticks=9))
     axis.set_major_formatter(plain_number)
     axis.set_minor_locator(NullLocator())
 
 
 def legend_below(figure, axis, columns):
-    """One legend for all axes, under them: figures are saved with whatever sticks out."""
+    """One legend for all axes, below them: saving includes what lies outside the figure."""
     figure.legend(*axis.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
 
 
 def save(figure, folder, name, dpi=150, trim=True):
-    """Writes <name>.png and <name>.svg and closes the figure. Returns the PNG's path. Trimming also saves what sticks out,
-    and takes twice as long."""
+    """Writes <name>.png and <name>.svg and closes the figure. Returns the PNG's path. Trimming also includes what lies outside
+    the figure, but takes twice as long."""
     os.makedirs(folder, exist_ok=True)
     path = os.path.join(folder, name + ".png")
     box = {"bbox_inches": "tight", "pad_inches": 0.08} if trim else {}

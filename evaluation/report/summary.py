@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What each method reached on one model and noise, mean and spread over the seeds."""
+"""The results of each method on one model and noise: mean and spread over the seeds."""
 
 from study import NUMBERS, mean, ordered
 
@@ -12,7 +12,7 @@ MEASURES = [
 
 
 class Entry:
-    """One method: the label, its group (noisy, ours, sweep, peer), the setting, its rows (one a seed), or why there are none."""
+    """One method: label, group (noisy, ours, sweep, peer), setting, and its rows (one per seed), or why there are none."""
 
     def __init__(self, label, group, rows=(), setting="", reason=""):
         self.label, self.group, self.rows, self.setting, self.reason = label, group, list(rows), setting, reason
@@ -34,12 +34,12 @@ class Entry:
 
 
 def setting_of(row):
-    """What tells one setting of a family from another."""
+    """Key that distinguishes the settings of a family."""
     return (row["name"], row["parameters"], row["k"], row["normal_iterations"], row["point_iterations"])
 
 
 def settings(rows):
-    """The rows of each setting, one a seed."""
+    """The rows grouped by setting, one row per seed."""
     groups = {}
     for row in rows:
         groups.setdefault(setting_of(row), []).append(row)
@@ -47,7 +47,7 @@ def settings(rows):
 
 
 def ranked(rows, column="p2s_ratio"):
-    """Settings, the lowest first, by the first seed that there is: only the best ones may have been run with more."""
+    """Settings sorted by the column at the first seed, lowest first: only the best may have been run with further seeds."""
     first = min((row["seed"] for row in rows if row["seed"] is not None), default=None)
     groups = {}
     for group in settings(rows):
@@ -58,7 +58,7 @@ def ranked(rows, column="p2s_ratio"):
 
 
 def combination(row):
-    """'PTU7, 32, 5', as the paper writes it."""
+    """The paper's notation: 'PTU7, 32, 5'."""
     return f"{row['name']}, {row['normal_iterations']:.0f}, {row['point_iterations']:.0f}"
 
 
@@ -81,7 +81,7 @@ def sweep_entries(study, **where):
 
 
 def only_default(rows):
-    """Whether all rows of a peer are of its default setting: nobody has looked for its best."""
+    """Whether all rows of a peer have its default setting: its best was not searched for."""
     return all(row["parameters"].endswith(DEFAULT_MARK) for row in rows)
 
 
@@ -101,7 +101,7 @@ def peer_entries(study, peer, **where):
 
 
 def entries(study, **where):
-    """Every method of the study on model=, noise=, sigma=, in a fixed order; those without a result say why."""
+    """Every method of the study on model=, noise=, sigma=, in a fixed order; those without a result give the reason."""
     found = [
         Entry(
             "noisy input", "noisy", study.select(family="noisy", **where), reason=study.why_missing(family="noisy", **where)
@@ -118,6 +118,6 @@ def entries(study, **where):
 
 
 def best_peer(found):
-    """Of the entries the peer's with the lowest ratio, or None."""
+    """The entry of the peer with the lowest p2s ratio, or None."""
     peers = [entry for entry in found if entry.group == "peer" and entry.mean() is not None]
     return min(peers, key=lambda entry: entry.mean(), default=None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Table I: our runs beside the paper's printed figures."""
+"""Table I: our runs compared with the figures printed in the paper."""
 
 import csv
 import os
@@ -28,7 +28,7 @@ def printed_rows():
 
 
 def our_row(study, model, noise, method):
-    """The best row by E_A and E_k of that method, at the first seed; or None."""
+    """The method's best row by E_A and E_k together, at the first seed; or None."""
     seed = min(study.seeds, default=None)
     where = {"model": model, "noise": noise, "sigma": study.sigma, "seed": seed}
     sweep = [row for row in study.select(family="sweep", **where) if row["E_A"] is not None and row["E_k15"] is not None]
@@ -101,7 +101,7 @@ def _line(study, printed, row):
 
 
 def _cases(pairs):
-    """(ours, rimls) where both are there."""
+    """The pairs (ours, rimls) for which both exist."""
     cases = {}
     for printed, row in pairs:
         if row is not None and printed["method"] in ("Ours", "RIMLS"):

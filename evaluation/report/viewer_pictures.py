@@ -10,7 +10,7 @@ from running import run
 
 
 def take(tools, work, target, *arguments, height=900):
-    """A picture of the viewer's, small."""
+    """Takes a picture with the viewer, and shrinks it."""
     picture = os.path.join(work, "picture.png")
     run(tools, "pcl_normal_smoothing_viewer", *arguments, "-screenshot", picture, "-width", 1600, "-height", height)
     shrink(picture, target, colours=64)
@@ -23,7 +23,7 @@ def main():
     parser.add_argument("images", help="folder of the pictures")
     parser.add_argument("-tools", required=True, help="folder of the built tools")
     options = parser.parse_args()
-    os.environ.pop("DISPLAY", None)  # pictures are the same everywhere on the viewer's own
+    os.environ.pop("DISPLAY", None)  # the viewer's own display gives the same pictures everywhere
     with tempfile.TemporaryDirectory() as work:
         noisy = os.path.join(work, "part.ply")
         run(options.tools, "pcl_add_surface_noise", options.mesh, noisy, "-sigma", 0.2, "-seed", 1)

@@ -16,7 +16,7 @@ FolderLock::FolderLock (const std::string& folder)
 {
   if (folder_ < 0)
     throw tools::FileError (folder, "cannot be opened", "give a folder that can be read");
-  // File systems that know no locks do without.
+  // On file systems without locks, go on without one.
   if (flock (folder_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close (folder_);
     throw tools::FileError (folder, "another study is at work in it", "wait for it, or give another folder");

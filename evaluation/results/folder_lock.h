@@ -6,12 +6,12 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Keeps a folder for one process: two studies would overwrite each other's rows. Goes with the process, however that
-  * ends. */
+/** Reserves a folder for one process: two studies would overwrite each other's rows. Released when the process ends,
+  * however it ends. */
 class FolderLock
 {
 public:
-  /** \throw FileError where another process has the folder, or there is none */
+  /** \throw FileError if another process holds the folder, or there is none */
   explicit FolderLock (const std::string& folder);
 
   ~FolderLock ();

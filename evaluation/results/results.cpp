@@ -71,7 +71,7 @@ Results::put (const Row& row)
     save ();
     said_ = false;
   }
-  catch (const tools::FileError& error) { // the disk may have space again before the study ends
+  catch (const tools::FileError& error) { // there may be space on the disk again before the study ends
     if (!said_)
       tools::note (std::string (error.what ()) + "; going on, and trying again");
     said_ = true;

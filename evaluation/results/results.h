@@ -11,24 +11,24 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** The rows of a study, in its folder as rows.csv and rows.json: both always complete files, a few seconds behind the
-  * work. What an earlier, interrupted study has left there is taken up. */
+/** The rows of a study, in its folder as rows.csv and rows.json: always complete files, a few seconds behind the work.
+  * Starts with the rows that an earlier, interrupted study left there. */
 class Results
 {
 public:
-  /** \param[in] folder exists \throw FileError where rows.json is there but cannot be read, or another study is at
-    * work */
+  /** \param[in] folder must exist \throw FileError if rows.json exists but cannot be read, or another study uses the
+    * folder */
   explicit Results (const std::string& folder);
 
-  /** The row of that key; nullptr where there is none. Valid until the next put. */
+  /** The row with that key; nullptr if there is none. Valid until the next put. */
   const Row*
   find (const std::string& key) const;
 
-  /** Whether that question is answered; one that failed or whose peer was absent is asked again by the next study. */
+  /** Whether the row with that key has a result; failed and absent ones are tried again by the next study. */
   bool
   answered (const std::string& key) const;
 
-  /** Adds the row, or puts it in the place of that with the same key; saves now and then. */
+  /** Adds the row or replaces the one with the same key; saves from time to time. */
   void
   put (const Row& row);
 
@@ -51,7 +51,7 @@ private:
   std::vector<Row> rows_;
   std::unordered_map<std::string, std::size_t> places_;
   std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now ();
-  bool said_ = false; // that it cannot be saved
+  bool said_ = false; // whether a failure to save was reported
 };
 
 } // namespace pcl_normal_smoothing::evaluation

@@ -67,7 +67,7 @@ countOf (const Json& value)
   return value.is_null () ? std::nullopt : std::optional<int> (value.get<int> ());
 }
 
-/** A field of RFC 4180. */
+/** A field, quoted as in RFC 4180. */
 std::string
 csvField (const Json& value)
 {
@@ -84,7 +84,7 @@ csvField (const Json& value)
   return quoted + "\"";
 }
 
-/** Joins a text for every column of a row. */
+/** Joins the texts of all columns of a row. */
 template <typename TextOf>
 std::string
 joined (const Json& columns, const TextOf& textOf)

@@ -12,7 +12,7 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** One result of the study: what was smoothed, how, and how good it came out. */
+/** One result of the study: what was smoothed, how, and how good the result is. */
 struct Row
 {
   std::string model;
@@ -28,7 +28,7 @@ struct Row
   std::string reason;
   double seconds = Measures::none;
   Measures measures;
-  std::string cloud; // in the study's folder; empty where none is kept
+  std::string cloud; // path in the study's folder; empty if none is kept
 
   bool
   ok () const
@@ -36,24 +36,24 @@ struct Row
     return status == "ok";
   }
 
-  /** The same for rows of the same question, answered or not. */
+  /** Equal for rows that answer the same question, with or without a result. */
   std::string
   key () const;
 };
 
-/** The first line of the table, without its end. */
+/** The first line of the table, without line end. */
 std::string
 csvHeader ();
 
-/** A line of the table (RFC 4180), without its end; empty where a number is missing. */
+/** A line of the table (RFC 4180), without line end; missing numbers are empty. */
 std::string
 toCsv (const Row& row);
 
-/** Null where a number is missing. */
+/** Missing numbers are null. */
 nlohmann::ordered_json
 toJson (const Row& row);
 
-/** \throw nlohmann::json::exception where a column is missing or of another type */
+/** \throw nlohmann::json::exception if a column is missing or of another type */
 Row
 fromJson (const nlohmann::ordered_json& json);
 

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 const char* const advice = "give another folder, or remove this one";
 
-/** FNV-1a over the bits of the coordinates and the corners. */
+/** FNV-1a over the bits of the vertices' coordinates and of the triangles' indices. */
 std::string
 fingerprint (const tools::Mesh& mesh)
 {
@@ -52,7 +52,7 @@ describe (const Model& model)
           {"fingerprint", fingerprint (model.mesh)}};
 }
 
-/** The earlier study of the folder; empty where there is none. */
+/** The earlier study of the folder; empty if there is none. */
 Json
 readEarlier (const std::string& path)
 {
@@ -72,7 +72,7 @@ readEarlier (const std::string& path)
   }
 }
 
-/** The earlier values and the new ones. */
+/** The earlier values, followed by the new ones. */
 template <typename T>
 Json
 united (const Json& earlier, const char* name, const std::vector<T>& now)

@@ -10,7 +10,7 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** What the rows of a study are about: study.json. */
+/** Describes the study that the rows belong to: study.json. */
 struct StudyFile
 {
   std::string command_line;
@@ -19,11 +19,11 @@ struct StudyFile
   std::vector<std::uint64_t> seeds;
 };
 
-/** Writes study.json, with the version of the project, and of every model its file, size, mean edge length, source and
-  * a fingerprint of its vertices. Models, noises, sigmas and seeds of an earlier study in the folder stay listed, as
-  * their rows do.
-  * \throw FileError where the earlier study is by another version, or has another model by one of the names: its rows
-  * would not fit to those that come; or where the file cannot be written */
+/** Writes study.json, with the version of the project, and for every model its file, size, mean edge length, source and
+  * a fingerprint of its vertices and triangles. Models, noises, sigmas and seeds of an earlier study in the folder stay
+  * listed, as its rows stay.
+  * \throw FileError if the earlier study is by another version, or used another model of the same name, so that its
+  * rows would not match the new ones; or if the file cannot be written */
 void
 writeStudyFile (const std::string& folder, const StudyFile& study, const std::vector<Model>& models);
 

@@ -8,7 +8,7 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** One noisy cloud of a study, and what rows about it have in common. */
+/** One noisy cloud of a study, and what the rows about it have in common. */
 struct Case
 {
   const Model& model;
@@ -22,11 +22,11 @@ struct Case
     return seed == 1;
   }
 
-  /** A row of this case, not answered yet. */
+  /** A row of this case, without a result yet. */
   Row
   row (const std::string& family, const std::string& name, const std::string& parameters) const;
 
-  /** The noisy cloud, in float as clouds are kept. */
+  /** The noisy cloud, rounded to float as in a cloud file. */
   tools::Points
   noisyPoints (double mean_edge) const;
 
@@ -38,7 +38,7 @@ struct Case
 std::string
 noiseName (tools::NoiseType noise);
 
-/** What the families of rows share while one case is worked on. */
+/** What all families of rows share while one case is processed. */
 struct CaseWork
 {
   const StudyOptions& options;
@@ -48,12 +48,12 @@ struct CaseWork
   Results& results;
   Progress& progress;
 
-  /** Where a cloud of this case goes, in the study's folder. */
+  /** Path of a cloud of this case, in the study's folder. */
   std::string
   cloudPath (const std::string& stem) const;
 
-  /** Measures and puts a row: failed, with the reason, where that cannot be.
-    * \param[in] cloud the stem of the cloud's name; empty where it is not kept */
+  /** Measures and stores a row; if that fails, stores it as failed, with the reason.
+    * \param[in] cloud stem of the cloud's file name; empty if it is not kept */
   void
   answer (Work work,
           Row row,
@@ -62,11 +62,11 @@ struct CaseWork
           MeasureSet set = MeasureSet::ALL,
           const std::string& cloud = {}) const;
 
-  /** Puts a row that has no numbers. */
+  /** Stores a row without numbers. */
   void
   refuse (Work work, Row row, const std::string& status, const std::string& reason) const;
 
-  /** Saves a cloud; on failure says so and leaves row.cloud empty: the numbers are there all the same. */
+  /** Saves a cloud. On failure, reports it and leaves row.cloud empty: the numbers remain valid. */
   void
   keepCloud (const std::string& stem, const tools::Points& points, const tools::Points& normals, Row& row) const;
 

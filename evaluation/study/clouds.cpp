@@ -12,7 +12,7 @@ namespace pcl_normal_smoothing::evaluation
 {
 namespace
 {
-/** Adds three float fields with a vector for every point. */
+/** Adds three float fields that hold one vector per point. */
 void
 addVectors (const tools::Points& vectors, const std::array<std::string, 3>& names, pcl::PCLPointCloud2& cloud)
 {
@@ -33,7 +33,7 @@ savePoints (const tools::Points& points, const tools::Points& normals, const std
   addVectors (points, {"x", "y", "z"}, *file.cloud);
   if (!normals.empty ())
     addVectors (normals, {"normal_x", "normal_y", "normal_z"}, *file.cloud);
-  std::error_code error; // where there is no folder, saveCloud says so
+  std::error_code error; // if there is no folder, saveCloud reports it
   std::filesystem::create_directories (std::filesystem::path (path).parent_path (), error);
   tools::saveCloud (file, path, tools::FileFormat::BINARY);
 }

@@ -6,8 +6,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Writes points as a binary PLY cloud, and its folder where it is missing.
-  * \param[in] normals zero where there is none; may be empty \throw FileError */
+/** Writes points as a binary PLY cloud; makes the folder if it is missing.
+  * \param[in] normals zero where a point has none; may be empty \throw FileError */
 void
 savePoints (const tools::Points& points, const tools::Points& normals, const std::string& path);
 

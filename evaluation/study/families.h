@@ -6,8 +6,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** The rows of each family that a case still lacks: planned, so that the time that is left can be told, and then worked
-  * on. */
+/** The rows of each family that a case still lacks: planned first, so that the remaining time can be estimated, then
+  * computed. */
 
 /** The noisy cloud itself, and the presets. */
 void
@@ -16,15 +16,15 @@ planOwn (const StudyOptions& options, const Case& noisy_case, const Results& res
 void
 workOnOwn (const CaseWork& work);
 
-/** The 540 combinations; the best and the worst by distance to the mesh are kept as clouds. */
+/** The 540 combinations; the clouds with the lowest and the highest error are kept. */
 void
 planSweep (const StudyOptions& options, const Case& noisy_case, const Results& results, Progress& progress);
 
 void
 workOnSweep (const CaseWork& work);
 
-/** The settings of the peers, as many at once as there are cores; of each peer the default and the best are kept as
-  * clouds. */
+/** The settings of the peers, as many in parallel as there are cores. For each peer, the clouds of the default and of
+  * the best setting are kept. */
 void
 planPeers (const StudyOptions& options, const Case& noisy_case, const Results& results, Progress& progress);
 

@@ -15,7 +15,7 @@ const std::vector<std::pair<std::string, SmoothingPreset>> presets {{"default", 
                                                                     {"fast", SmoothingPreset::FAST},
                                                                     {"paper", SmoothingPreset::PAPER}};
 
-/** The noisy cloud first. */
+/** The rows of the noisy cloud and of the presets, in this order. */
 std::vector<Row>
 rowsOf (const Case& noisy_case)
 {

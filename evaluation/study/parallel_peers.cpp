@@ -32,7 +32,7 @@ runPeers (const std::vector<PeerSetting>& settings,
   };
   const std::size_t count =
       std::min<std::size_t> (std::max (std::thread::hardware_concurrency (), 1u), settings.size ());
-  struct Workers // those that have begun end what they do, whatever take throws
+  struct Workers // if take throws, workers only finish their current run
   {
     std::atomic<std::size_t>& next;
     std::size_t size;

@@ -8,8 +8,8 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Runs peers, which have one thread each, as many at once as there are cores.
-  * \param[in] take called with the number of the setting in the order in which they end, from the calling thread */
+/** Runs peers, single-threaded processes, as many in parallel as there are cores.
+  * \param[in] take called from the calling thread with the number of each setting, in the order in which they end */
 void
 runPeers (const std::vector<PeerSetting>& settings,
           const std::vector<Eigen::Vector3d>& noisy,

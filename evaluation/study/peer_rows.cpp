@@ -16,7 +16,7 @@ rowOf (const Case& noisy_case, const PeerSetting& setting)
   return noisy_case.row ("peer", setting.peer, setting.parameters + (setting.is_default ? " (default)" : ""));
 }
 
-/** The row of a peer whose points are the nearest to the mesh; nullptr where none has worked. */
+/** The row of the peer's setting with the lowest distance to the mesh; nullptr if none succeeded. */
 const Row*
 bestRow (const Case& noisy_case, const std::string& peer, const Results& results)
 {
@@ -29,7 +29,7 @@ bestRow (const Case& noisy_case, const std::string& peer, const Results& results
   return best;
 }
 
-/** All settings for the first seed, and what was best there for the others: the defaults are the slowest. */
+/** For the first seed, all settings; for the others, only the best of the first, as the defaults are the slowest. */
 bool
 isWanted (const StudyOptions& options, const Case& noisy_case, const PeerSetting& setting, const Results& results)
 {
@@ -41,7 +41,7 @@ isWanted (const StudyOptions& options, const Case& noisy_case, const PeerSetting
   return best && best->key () == rowOf (first, setting).key ();
 }
 
-/** How many peers have nothing to repeat for another seed: not yet, or not at all. */
+/** Number of peers without a best setting to repeat for another seed, either not yet or because all failed. */
 std::size_t
 peersWithoutBest (const StudyOptions& options, const Case& noisy_case, const Results& results)
 {
@@ -75,7 +75,8 @@ cloudStem (const PeerSetting& setting, const char* which)
   return stem;
 }
 
-/** Keeps the cloud of a default, and of the best so far in the place of the one before. */
+/** Stem under which to keep a result's cloud: that of the default, or of the best so far, replacing the previous best;
+  * empty if it is not kept. */
 std::string
 stemToKeep (const CaseWork& work, const PeerSetting& setting, const Row* best_before, const Row& row)
 {
@@ -86,7 +87,7 @@ stemToKeep (const CaseWork& work, const PeerSetting& setting, const Row* best_be
   return best_before && best_before->measures.p2s_mean <= row.measures.p2s_mean ? "" : cloudStem (setting, "best");
 }
 
-/** The cloud of the peer's best is about to be replaced: no row may name it. */
+/** The cloud of the peer's best setting is about to be replaced: clears it from the row that refers to it. */
 void
 forgetBestCloud (const CaseWork& work, const PeerSetting& better)
 {
@@ -145,7 +146,7 @@ workOnPeers (const CaseWork& work)
   PeerRun run;
   run.time_limit = work.options.time_limit;
   run.work_folder = work.options.folder + "/work";
-  std::error_code error; // where there is no folder, runPeer says so
+  std::error_code error; // if there is no folder, runPeer reports it
   std::filesystem::create_directories (run.work_folder, error);
   runPeers (settings, work.noisy, run,
             [&] (std::size_t i, const PeerResult& result) { take (work, settings[i], result); });

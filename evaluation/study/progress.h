@@ -9,7 +9,7 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** Rows that take about as long as each other for the same number of points. */
+/** Kinds of rows. Rows of one kind take about the same time for the same number of points. */
 enum class Work
 {
   OWN,
@@ -17,17 +17,17 @@ enum class Work
   PEER
 };
 
-/** Says on stderr how far a study is, and how long the rest takes by what the like has taken so far. */
+/** Reports on stderr how far a study is, and estimates the remaining time from that of similar rows so far. */
 class Progress
 {
 public:
   Progress ();
 
-  /** There is a row to come for a cloud of \a points. */
+  /** Announces a row for a cloud of \a points. */
   void
   plan (Work work, std::size_t points);
 
-  /** A planned row is answered; \a what it was, for people. */
+  /** A planned row is done; \a what describes it for the user. */
   void
   done (Work work, std::size_t points, const std::string& what);
 
@@ -45,9 +45,9 @@ public:
 private:
   struct Pace
   {
-    double planned = 0, done = 0; // points
+    double planned = 0, done = 0; // for the points that are done
     double seconds = 0;           // for those that are done
-    double guess = 0;             // seconds a point, before any is done
+    double guess = 0;             // seconds per point, before any is done
   };
 
   void

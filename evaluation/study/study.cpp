@@ -26,7 +26,7 @@ makeFolder (const std::string& path)
     throw tools::FileError (path, "cannot be made (" + error.message () + ")", "name another folder");
 }
 
-/** A study on its way from its options to its rows. */
+/** Carries out a study, from its options to its rows. */
 class Study
 {
 public:
@@ -86,7 +86,7 @@ private:
       });
   }
 
-  /** Adds what \a make returns, or failed rows where it throws. */
+  /** Adds the model that \a make returns, or failed rows if it throws. */
   template <typename Make>
   void
   addModel (const std::string& wanted_name, const Make& make)
@@ -105,7 +105,7 @@ private:
     }
   }
 
-  /** A failed row for every case. */
+  /** Stores a failed row for every case of the model. */
   void
   refuseModel (const std::string& name, const std::string& reason)
   {

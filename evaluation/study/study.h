@@ -13,39 +13,39 @@ namespace pcl_normal_smoothing::evaluation
 /** What to study. */
 struct StudyOptions
 {
-  /** Made where it is missing; an interrupted study there is gone on with. */
+  /** Made if it is missing; an interrupted study in it is continued. */
   std::string folder;
   /** Names of made models. */
   std::vector<std::string> models;
   std::vector<std::string> meshes;
-  /** How often to split the edges of every mesh; one number for all, or one for each. */
+  /** How many times to split the edges of each mesh: one number for all, or one per mesh. */
   std::vector<int> subdivisions {0};
   std::vector<tools::NoiseType> noises {tools::NoiseType::GN, tools::NoiseType::GR};
   /** In mean edge lengths. */
   std::vector<double> sigmas {0.2};
-  /** Seeds 1 to this. The sweep is for the first alone; of each peer, those behind it get what was best with it. */
+  /** Seeds 1 to this. The sweep uses the first only; with the others, each peer runs only its best setting so far. */
   int seeds = 3;
   bool sweep = true;
-  /** Of the sweep; everything else is measured whole. */
+  /** Measures for the sweep; everything else gets all of them. */
   MeasureSet sweep_measures = MeasureSet::ALL;
   bool peers = true;
-  /** The peers' defaults only. */
+  /** Only the peers' defaults. */
   bool small = false;
-  /** Seconds that a peer may take for a cloud. */
+  /** Time in seconds that a peer may take for one cloud. */
   double time_limit = 120;
-  /** For study.json. */
+  /** Recorded in study.json. */
   std::string command_line;
 };
 
-/** How many rows there are of each status. */
+/** Number of rows of each status. */
 struct StudyCounts
 {
   std::size_t ok = 0, failed = 0, absent = 0;
 };
 
-/** Runs the study: rows that the folder already holds are kept, those that failed or were absent are tried again. A
-  * model, a peer or a row that fails is a row that says why, and the study goes on.
-  * \throw FileError where the folder cannot be written to, or holds a study that this one does not fit to */
+/** Runs the study. Rows that the folder already holds are kept; failed and absent ones are tried again. If a model, a
+  * peer or a row fails, a row records the reason, and the study goes on.
+  * \throw FileError if the folder cannot be written to, or holds a study that does not match this one */
 StudyCounts
 runStudy (const StudyOptions& options);
 

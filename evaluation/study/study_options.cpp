@@ -12,7 +12,7 @@ namespace
 {
 constexpr int most_subdivisions = 6;
 
-/** Reads values parted by commas, each by what \a reader makes for a place to put it. */
+/** Reads values separated by commas, each with the reader that \a makeReader makes for its destination. */
 template <typename T, typename MakeReader>
 tools::OptionReader
 listOption (std::vector<T>& values, const MakeReader& makeReader)

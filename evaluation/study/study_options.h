@@ -7,12 +7,12 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** \param[in,out] study changed by what the options read; lives as long as they do */
+/** \param[in,out] study the options write to it; must outlive them */
 void
 addStudyOptions (tools::Options& options, StudyOptions& study);
 
-/** The folder and the meshes, once the command line has been parsed; and what follows from all of it.
-  * \throw UsageError where options do not go together */
+/** Sets the folder and the meshes, and what depends on several options, once the command line is parsed.
+  * \throw UsageError if options contradict each other */
 void
 readStudyFiles (const tools::Options& options, StudyOptions& study);
 

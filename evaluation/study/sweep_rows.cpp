@@ -21,7 +21,7 @@ rowOf (const Case& noisy_case, const Combination& combination)
   return row;
 }
 
-/** Answered with all the measures that are asked for. */
+/** Whether there is a row with all requested measures. */
 bool
 isAnswered (const StudyOptions& options, const Results& results, const std::string& key)
 {
@@ -40,7 +40,7 @@ missing (const StudyOptions& options, const Case& noisy_case, const Results& res
   return combinations;
 }
 
-/** How far off the clouds are; by the area where the distance of one of them was not measured. */
+/** The error of each cloud: its distance to the mesh or, unless that was measured for all of them, its area error. */
 std::vector<double>
 errorsOf (const std::vector<Row>& rows)
 {
@@ -52,7 +52,7 @@ errorsOf (const std::vector<Row>& rows)
   return errors;
 }
 
-/** Or there is no sweep. */
+/** Whether both clouds are kept already, or there is no sweep. */
 bool
 extremesAreKept (const CaseWork& work)
 {
@@ -64,7 +64,7 @@ extremesAreKept (const CaseWork& work)
          });
 }
 
-/** Keeps the clouds of the best and the worst, which are known only now. */
+/** Keeps the clouds with the lowest and the highest error, which are only known once all rows exist. */
 void
 keepExtremes (const CaseWork& work, Sweep& sweep)
 {

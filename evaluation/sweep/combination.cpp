@@ -12,7 +12,7 @@ namespace
 struct Settings : SmoothingSettings
 {};
 
-/** What the paper and the tools call it. */
+/** The paper's name for an option, and the tools'. */
 struct Names
 {
   std::string paper, tool;

@@ -8,7 +8,7 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** One of the paper's 540 ways to smooth. */
+/** One of the 540 combinations of methods and parameters in the paper. */
 struct Combination
 {
   NormalSource source = NormalSource::PCA;
@@ -21,16 +21,16 @@ struct Combination
   std::string
   name () const;
 
-  /** Options of the tool pcl_normal_smoothing for the same. */
+  /** The equivalent options of the tool pcl_normal_smoothing. */
   std::string
   parameters () const;
 
-  /** What smooth () does; k apart. Noise is not estimated: nothing here needs it. */
+  /** The equivalent options of smooth (), except k. The noise is not estimated, as nothing here needs it. */
   core::SmoothingOptions
   options () const;
 };
 
-/** All 540: P, W, H; T, G, M; k 7, 15, 21; 2 to 32 normal iterations; 5 to 40 point iterations. The last change
+/** All 540: P, W, H; T, G, M; k 7, 15, 21; 2 to 32 normal iterations; 5 to 40 point iterations. The last varies
   * fastest. */
 std::vector<Combination>
 allCombinations ();

@@ -10,7 +10,7 @@ namespace pcl_normal_smoothing::evaluation
 {
 namespace
 {
-/** What the combinations share, coarsest first. */
+/** Sort key: what combinations share, coarsest first. */
 auto
 order (const Combination& c)
 {
@@ -27,7 +27,7 @@ timed (const Work& work)
   return std::chrono::duration<double> (std::chrono::steady_clock::now () - start).count ();
 }
 
-/** Calls \a use for every stretch of \a all whose elements agree in \a key. */
+/** Calls \a use for every run of consecutive elements of \a all with the same \a key. */
 template <typename Key, typename Use>
 void
 forEachGroup (const std::vector<Combination>& all, const Key& key, const Use& use)
@@ -108,8 +108,8 @@ Sweep::moveAndSink (const std::vector<Combination>& group,
                     double seconds,
                     const Sink& sink)
 {
-  // One update to the largest number, looked at where it would search anew: a second one from where the first ended
-  // would round differently, as displacements count from the start.
+  // A single update with the largest number of iterations, observed wherever a smaller number would end. Restarting
+  // from there would round differently, as displacements count from the start.
   core::PointUpdateOptions update = group.back ().options ().update;
   for (const Combination& combination : group)
     update.search_interval = std::gcd (update.search_interval, combination.point_iterations);
@@ -139,7 +139,7 @@ Sweep::resultOf (const core::Positions& moved, const core::Vectors& normals) con
   for (std::size_t node = 0; node < moved.size (); ++node) {
     const std::uint32_t i = graph_->order ()[node];
     const Eigen::Vector3d position = moved.base[node].cast<double> () + moved.offset[node].cast<double> ();
-    result.points[i] = position.cast<float> ().cast<double> (); // as the class writes it
+    result.points[i] = position.cast<float> ().cast<double> (); // rounded to float, as the class does
     result.normals[i] =
         normals[node].allFinite () ? Eigen::Vector3d (normals[node].cast<double> ()) : Eigen::Vector3d (0, 0, 0);
   }

@@ -10,20 +10,20 @@
 namespace pcl_normal_smoothing::evaluation
 {
 
-/** What one combination made of a cloud. */
+/** The result of one combination. */
 struct Smoothed
 {
-  /** In float, as a cloud holds them. */
+  /** Rounded to float, as in a cloud. */
   tools::Points points;
-  /** Zero where there is none. */
+  /** Zero where a point has none. */
   tools::Points normals;
-  /** As long as the combination takes by itself. */
+  /** The time that the combination would take by itself. */
   double seconds = 0;
 };
 
-/** Smooths one cloud by many combinations; what they have in common is done once: the search for a k, the normals for a
-  * k and an estimator, and iterations, each count going on from the last. The results are bit for bit those of
-  * NormalSmoothing for a cloud of floats. */
+/** Smooths one cloud with many combinations, doing shared work once: the search for each k, the normals for each k and
+  * estimator, and the iterations, where each count continues from the previous one. The results are bit for bit those
+  * of NormalSmoothing for a cloud of floats. */
 class Sweep
 {
 public:
@@ -32,25 +32,25 @@ public:
   /** \param[in] noisy finite; rounded to float */
   explicit Sweep (const tools::Points& noisy);
 
-  /** Calls \a sink for every combination, in an order that shares as much as it can.
-    * \param[in] combinations as many and whichever, with at least one point iteration */
+  /** Calls \a sink for every combination, in an order that shares as much work as possible.
+    * \param[in] combinations any number of any, each with at least one point iteration */
   void
   run (std::vector<Combination> combinations, const Sink& sink);
 
 private:
-  /** Sets the graph and the nodes. */
+  /** Searches the neighbours: sets the graph and the nodes. */
   void
   search (int k);
 
-  /** All with one k and estimator. */
+  /** Runs all combinations of one k and estimator. */
   void
   runGroup (const std::vector<Combination>& group, const Sink& sink);
 
-  /** All with one weight as well. */
+  /** Runs all of these with one weight, too. */
   void
   filterAndMove (const std::vector<Combination>& group, core::Vectors normals, double seconds, const Sink& sink);
 
-  /** All with the same filtered normals. */
+  /** Runs all of these with the same filtered normals. */
   void
   moveAndSink (const std::vector<Combination>& group, const core::Vectors& normals, double seconds, const Sink& sink);
 

@@ -10,7 +10,7 @@ using Smoothing = pcl_normal_smoothing::NormalSmoothing<pcl::PCLPointCloud2>;
 
 namespace
 {
-/** What the preset or the cloud decides is not set. */
+/** Sets only those parameters that are not left to the preset or to the cloud. */
 Smoothing
 smoothingFor (const NormalSmoothingConfig& config)
 {
@@ -68,7 +68,7 @@ NormalSmoothing::filter (const PointCloud2::ConstPtr& input, const IndicesPtr& i
   if (!smoothing_.getErrorMessage ().empty ())
     NODELET_ERROR ("[%s] %s", getName ().c_str (), smoothing_.getErrorMessage ().c_str ());
   pcl_conversions::moveFromPCL (smoothed, output);
-  output.header = input->header; // PCL's has no nanoseconds
+  output.header = input->header; // PCL's header has no nanoseconds
 }
 } // namespace pcl_normal_smoothing_ros
 

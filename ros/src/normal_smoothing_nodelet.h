@@ -8,8 +8,9 @@
 
 namespace pcl_normal_smoothing_ros
 {
-/** Smooths what comes in on ~input and publishes it on ~output, with all its fields, its frame and its stamp; ~indices,
-  * queues and TF frames as every filter of pcl_ros. On an error the published cloud is empty, and the log says why. */
+/** Smooths the clouds from ~input and publishes them on ~output, with all their fields, their frame and their stamp;
+  * ~indices, queues and TF frames work as in every filter of pcl_ros. On an error the published cloud is empty, and the
+  * log gives the reason. */
 class NormalSmoothing : public pcl_ros::Filter
 {
 protected:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Publishes a noisy plane to the running nodelet and looks at what comes back. Exit status 0 where all is right."""
+"""Publishes a noisy plane to the running nodelet and checks what it publishes. Exit status 0 if all is correct."""
 
 import sys
 
@@ -16,7 +16,7 @@ TYPES = {"<f4": PointField.FLOAT32, "<u4": PointField.UINT32, "<u2": PointField.
 
 
 def noisy_plane():
-    """An organised cloud with every kind of field and a point that is not there."""
+    """An organised cloud with every kind of field and one invalid point."""
     random = numpy.random.default_rng(1)
     points = numpy.zeros(WIDTH * HEIGHT, dtype=FIELDS)
     points["x"] = SPACING * (numpy.arange(WIDTH * HEIGHT) % WIDTH)
@@ -44,7 +44,7 @@ def message_of(points):
 
 
 def smoothed(publisher, message):
-    """What the nodelet makes of it: published again until an answer comes, as the first may find nobody listening."""
+    """The nodelet's answer. Publishes repeatedly until one arrives, as nobody may be listening at first."""
     answers = []
     subscriber = rospy.Subscriber("/normal_smoothing/output", PointCloud2, answers.append)
     for _ in range(100):

@@ -9,7 +9,7 @@
 
 namespace test_support
 {
-/** A cloud in bytes: x y z, then a counter, then three bytes that nobody knows. */
+/** A cloud in bytes: x y z, then a counter, then three bytes of an unknown field. */
 struct BinaryLayout
 {
   std::uint32_t width = 300;
@@ -28,7 +28,7 @@ struct BinaryLayout
     return 3 * scalarSize () + 4 + 3; // odd, so that nothing is aligned
   }
 
-  /** Where the bytes of point \a i begin. */
+  /** Offset of the first byte of point \a i. */
   std::size_t
   begin (std::size_t i) const
   {
@@ -57,7 +57,7 @@ makeField (const std::string& name, std::size_t offset, std::uint8_t type, std::
   return field;
 }
 
-/** \a points moved by \a translation; every byte that is not a position is a function of its place. */
+/** A cloud of \a points moved by \a translation; every byte outside the positions is a function of its offset. */
 inline pcl::PCLPointCloud2
 makeBinaryCloud (const BinaryLayout& layout,
                  const Vectors& points,
@@ -90,7 +90,7 @@ makeBinaryCloud (const BinaryLayout& layout,
   return cloud;
 }
 
-/** What an output may hold before it is written. */
+/** Arbitrary contents of an output before it is written. */
 inline pcl::PCLPointCloud2
 poisonedBinaryCloud ()
 {

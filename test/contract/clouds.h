@@ -19,7 +19,7 @@ namespace test_support
 constexpr float nan_float = std::numeric_limits<float>::quiet_NaN ();
 using NormalCloud = pcl::PointCloud<pcl::Normal>;
 
-/** A point whose every field tells its number; its padding is zero, so that points can be compared byte by byte. */
+/** A point whose fields all depend on its number; its padding is zero, so that points can be compared byte by byte. */
 template <typename PointT>
 PointT
 makePoint (const Eigen::Vector3f& position, const Eigen::Vector3f& normal, std::size_t i)
@@ -63,7 +63,7 @@ makeNormals (const Vectors& normals)
   return cloud;
 }
 
-/** What an output may hold before it is written: nothing of it must be left. */
+/** Arbitrary contents of an output before it is written, of which nothing may remain. */
 template <typename PointT>
 pcl::PointCloud<PointT>
 poisonedCloud ()
@@ -93,7 +93,7 @@ expectSamePoints (const pcl::PointCloud<PointT>& actual, const pcl::PointCloud<P
     ASSERT_TRUE (samePoint (actual[i], expected[i])) << "point " << i << " is " << actual[i] << ", not " << expected[i];
 }
 
-/** Everything but the points. */
+/** Compares everything but the points. */
 template <typename PointT, typename OtherT>
 void
 expectSameFrame (const pcl::PointCloud<PointT>& actual, const pcl::PointCloud<OtherT>& expected)
@@ -114,7 +114,7 @@ expectEmpty (const pcl::PointCloud<PointT>& cloud)
   EXPECT_EQ (cloud.width * cloud.height, 0u);
 }
 
-/** What two runs side by side, each in a thread of its own, give. \param[in] run gives a cloud */
+/** The results of two simultaneous runs, each in its own thread. \param[in] run returns a cloud */
 template <typename Run>
 auto
 resultsOfTwoThreads (const Run& run)

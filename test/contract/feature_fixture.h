@@ -92,7 +92,7 @@ protected:
            same (a.curvature, b.curvature);
   }
 
-  /** What a feature writes, normal and curvature; other fields of its output type are not its own. */
+  /** Compares what a feature writes, normal and curvature; it leaves other fields of its output type alone. */
   static void
   expectSameNormals (const CloudOut& actual, const CloudOut& expected)
   {

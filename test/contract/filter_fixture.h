@@ -41,8 +41,8 @@ protected:
     cloud_ = makeCloud<Point> (points_, normals_);
   }
 
-  /** Sets all that the filter needs but k.
-    * \param[in] normals used where the points have none */
+  /** Sets everything that the filter needs except k.
+    * \param[in] normals used if the points have none */
   static void
   prepare (FilterT& filter, const typename Cloud::ConstPtr& cloud, const Vectors& normals)
   {
@@ -69,7 +69,7 @@ protected:
     return output;
   }
 
-  /** Expects an error that says \a part of what is wrong, and nothing in the output. */
+  /** Expects an error message that contains \a part, and an empty output. */
   static void
   expectError (FilterT& filter, const std::string& part)
   {
@@ -81,7 +81,7 @@ protected:
     EXPECT_FALSE (filter.wasCancelled ());
   }
 
-  /** What the filter makes of the whole cloud. */
+  /** The filter's result for the whole cloud. */
   Cloud
   result () const
   {
@@ -113,7 +113,7 @@ using AllFilters = testing::Types<pcl_normal_smoothing::BilateralNormalFilter<pc
                                   pcl_normal_smoothing::NormalSmoothing<pcl::PointXYZINormal>,
                                   pcl_normal_smoothing::NormalSmoothing<pcl::PointXYZRGBNormal>>;
 
-/** Each filter once, with and without normals: for what does not depend on the other fields. */
+/** Each filter once, with and without normals: for tests that do not depend on the other fields. */
 using OneOfEachFilter = testing::Types<pcl_normal_smoothing::BilateralNormalFilter<pcl::PointNormal>,
                                        pcl_normal_smoothing::NormalGuidedPointUpdate<pcl::PointNormal>,
                                        pcl_normal_smoothing::NormalGuidedPointUpdate<pcl::PointXYZ>,

@@ -5,12 +5,12 @@
 
 namespace test_support
 {
-/** What the filters of one point type have each for themselves. */
+/** Fixture for the parameters that are specific to one filter, with one point type. */
 template <typename FilterT>
 class OwnParameters : public FilterTest<FilterT>
 {
 protected:
-  /** Expects another result once \a set is called, and the first one again after \a reset. */
+  /** Expects a different result after \a set, and the original one after \a reset. */
   template <typename Set, typename Reset>
   void
   expectEffect (const Set& set, const Reset& reset)

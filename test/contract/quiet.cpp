@@ -4,7 +4,7 @@
 
 namespace
 {
-/** Tests provoke many errors and read them from getErrorMessage: the console need not repeat them. */
+/** Silences the console: tests provoke many errors and read them from getErrorMessage. */
 class Quiet : public testing::Environment
 {
   void

@@ -16,7 +16,7 @@
 
 namespace test_support
 {
-/** The search objects that a user may set. */
+/** Search objects such as a user may set. */
 template <typename PointT>
 std::vector<typename pcl::search::Search<PointT>::Ptr>
 userSearches ()
@@ -25,7 +25,7 @@ userSearches ()
           std::make_shared<pcl::search::BruteForce<PointT>> (), std::make_shared<pcl::search::Octree<PointT>> (0.1)};
 }
 
-/** A search for clouds of cameras. */
+/** A search for organised clouds of cameras. */
 template <typename PointT>
 typename pcl::search::Search<PointT>::Ptr
 organizedSearch ()
@@ -33,7 +33,7 @@ organizedSearch ()
   return std::make_shared<pcl::search::OrganizedNeighbor<PointT>> ();
 }
 
-/** What a camera with a focal length of 30 pixels sees of a wave, 24 x 20 points row by row. */
+/** A wave seen by a camera with a focal length of 30 pixels: 24 x 20 points, row by row. */
 inline Vectors
 cameraView ()
 {
@@ -59,7 +59,7 @@ public:
   }
 };
 
-/** Finds few, and leaves the vectors at the size that it got them, as old searches do. */
+/** Finds at most a given number of points and, as old searches do, leaves the vectors at the size they had. */
 template <typename PointT>
 class ShortSearch : public pcl::search::KdTree<PointT>
 {
@@ -81,7 +81,7 @@ private:
   int most_;
 };
 
-/** Answers with a point that the cloud of 300 does not have. */
+/** Returns an index that does not exist in the cloud of 300 points. */
 template <typename PointT>
 class WrongSearch : public pcl::search::KdTree<PointT>
 {

@@ -14,7 +14,7 @@ using Cloud = pcl::PointCloud<pcl::PointNormal>;
 
 constexpr double sigma = 0.01;
 
-/** A noisy sphere with its normals; those of the second half of the copies point inwards. */
+/** A noisy sphere with normals: alone, and joined with four copies, of which two have inward normals. */
 class CopiesTest : public testing::Test
 {
 protected:
@@ -43,7 +43,7 @@ protected:
     return result;
   }
 
-  /** Whatever is estimated from a sample differs a little where there are copies. */
+  /** Sets everything that is estimated from a sample, as these estimates differ a little if there are copies. */
   static void
   setNoise (NormalSmoothing<pcl::PointNormal>& smoothing)
   {
@@ -98,7 +98,7 @@ TEST_F (CopiesTest, KeepTheSideOfTheirOwnNormal)
 TEST_F (CopiesTest, OfEverySearchMoveTogether)
 {
   auto searches = userSearches<pcl::PointNormal> ();
-  searches.push_back (nullptr); // the module's own
+  searches.push_back (nullptr); // the module's own search
   for (const auto& search : searches) {
     const auto set = [&] (NormalSmoothing<pcl::PointNormal>& smoothing) {
       smoothing.setSearchMethod (search);
@@ -173,7 +173,7 @@ TEST_F (CopiesTest, AreRefusedInAGraphWhereEachPointCounts)
 
 TEST_F (CopiesTest, HideNoNoise)
 {
-  Cloud::Ptr rounded = pcl::make_shared<Cloud> (*single_); // joined with itself in another file format
+  Cloud::Ptr rounded = pcl::make_shared<Cloud> (*single_); // joined with itself after rounding in another file format
   for (pcl::PointNormal point : *single_) {
     point.getVector3fMap () *= 1 + 1e-6f;
     rounded->push_back (point);

@@ -15,8 +15,8 @@
 #include <memory>
 #include <new>
 
-/** A scanner's own point: the normal before the position, and a field that no type of PCL's has. Its copies may fail as
-  * those of large clouds do. */
+/** A point type of a scanner: the normal precedes the position, and one field is in no type of PCL's. Copying it can be
+  * made to fail, as copying a large cloud may. */
 struct EIGEN_ALIGN16 ScannerPoint
 {
   ScannerPoint () = default;
@@ -76,7 +76,7 @@ protected:
     }
   }
 
-  /** The compiled class and the one compiled here must do the same. */
+  /** Expects the precompiled class and the one compiled here to give the same results. */
   template <template <typename> class FilterTemplate>
   void
   expectSameAsKnownType () const
@@ -100,7 +100,7 @@ protected:
     }
   }
 
-  /** Nothing leaves filter () as an exception. */
+  /** Expects that filter () lets no exception escape. */
   template <template <typename> class FilterTemplate>
   void
   expectMessageWhereMemoryIsShort () const

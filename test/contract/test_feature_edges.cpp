@@ -13,7 +13,7 @@ template <typename FeatureT>
 class FeatureEdges : public FeatureTest<FeatureT>
 {
 protected:
-  /** WPCA looks at the other points alone, and two of them lie on a line. */
+  /** WPCA uses only the other points, and any two of them are collinear. */
   static constexpr int least_k =
       std::is_same_v<FeatureT, pcl_normal_smoothing::HoughNormalEstimation<pcl::PointXYZ, pcl::Normal>> ? 3 : 4;
 };
@@ -67,7 +67,7 @@ TYPED_TEST (FeatureEdges, EveryUnitGivesTheSame)
     this->prepare (by_queries);
     by_queries.setSearchSurface (this->cloud_);
     compare (this->run (by_queries));
-    EXPECT_LT (sum / 600, 2); // the triples of the Hough transform are others
+    EXPECT_LT (sum / 600, 2); // the Hough transform draws other triples
     this->cloud_->sensor_origin_ = origin;
   }
 }
@@ -87,7 +87,7 @@ TYPED_TEST (FeatureEdges, ParametersAtTheirBoundsGiveNormalsOrNone)
     EXPECT_TRUE (output.is_dense);
   }
   feature.setSearchSurface (makeCloud<typename TestFixture::PointIn> (sphere (300, 2).points, this->shape_.normals));
-  feature.setKSearch (3); // all of them are others
+  feature.setKSearch (3); // none of the neighbours is the point itself
   EXPECT_TRUE (this->run (feature).is_dense);
   feature.setSearchSurface (nullptr);
   feature.setKSearch (0);

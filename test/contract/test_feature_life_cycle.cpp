@@ -50,7 +50,7 @@ TYPED_TEST (FeatureLifeCycle, WritesOneOutputForEveryIndexInTheirOrder)
 TYPED_TEST (FeatureLifeCycle, ASearchSurfaceIsWhereTheNeighboursAre)
 {
   const auto full = this->result ();
-  // The inputs are some points of the surface, but their indices in it are others.
+  // The input consists of some points of the surface, with other indices than in it.
   const pcl::Indices chosen {250, 3, 77, 160};
   auto input = std::make_shared<typename TestFixture::CloudIn> ();
   for (const auto index : chosen)
@@ -99,7 +99,7 @@ TYPED_TEST (FeatureLifeCycle, APointThatIsNotFiniteHasNoNormalAndIsNobodysNeighb
 
 TYPED_TEST (FeatureLifeCycle, FewerThanThreeNeighboursGiveNoNormal)
 {
-  (*this->cloud_)[5].x = 100; // alone
+  (*this->cloud_)[5].x = 100; // isolated
   TypeParam feature;
   this->prepare (feature);
   feature.setKSearch (0);

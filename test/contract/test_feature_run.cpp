@@ -14,7 +14,7 @@ namespace
 using namespace test_support;
 using pcl_normal_smoothing::buildNeighborGraph;
 
-/** The search and the run of a feature do not depend on its point types. */
+/** For tests of the search and the run, which do not depend on the point types. */
 template <typename FeatureT>
 class FeatureRun : public FeatureTest<FeatureT>
 {
@@ -112,7 +112,7 @@ TYPED_TEST (FeatureRun, ASharedGraphGivesTheSameAndOneOfAnotherCloudIsRefused)
 {
   TypeParam feature;
   this->prepare (feature);
-  feature.setKSearch (0); // neither k nor a radius: the graph is enough
+  feature.setKSearch (0); // neither k nor a radius is set: the graph suffices
   feature.setNeighborGraph (buildNeighborGraph<pcl::PointXYZ> (this->cloud_, 10));
   const auto full = this->run (feature);
   this->expectSameNormals (full, this->result ());
@@ -140,7 +140,7 @@ TYPED_TEST (FeatureRun, WorksWhereAnyFeatureDoes)
   feature->compute (output);
   ASSERT_EQ (output.size (), this->cloud_->size ());
 
-  // As pcl::NormalEstimation turns them.
+  // Oriented as by pcl::NormalEstimation.
   pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> pcl_estimation;
   pcl_estimation.setInputCloud (this->cloud_);
   pcl_estimation.setSearchMethod (std::make_shared<pcl::search::KdTree<pcl::PointXYZ>> ());
@@ -150,7 +150,7 @@ TYPED_TEST (FeatureRun, WorksWhereAnyFeatureDoes)
   std::size_t same_side = 0;
   for (std::size_t i = 0; i < output.size (); ++i)
     same_side += output[i].getNormalVector3fMap ().dot (expected[i].getNormalVector3fMap ()) > 0.7f;
-  EXPECT_GT (same_side, output.size () * 98 / 100); // beside the silhouette both may differ
+  EXPECT_GT (same_side, output.size () * 98 / 100); // near the silhouette, the two may differ
 }
 
 TEST (HoughNormalEstimation, IsTheSameForTheSameSeedAndAnotherForAnother)

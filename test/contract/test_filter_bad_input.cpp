@@ -12,7 +12,7 @@ template <typename FilterT>
 class FilterBadInput : public FilterTest<FilterT>
 {
 protected:
-  /** The filter on other points than the fixture's. */
+  /** Prepares the filter for other points than the fixture's. */
   void
   prepareFor (FilterT& filter, const Vectors& points, const Vectors& normals)
   {
@@ -74,7 +74,7 @@ TYPED_TEST (FilterBadInput, PointsWithoutASurfaceStayOrAreAnError)
     if (FilterTraits<TypeParam>::estimates_normals)
       this->expectError (filter, "no point has a normal");
     else
-      expectSamePoints (this->run (filter), *this->cloud_); // with equal normals there is nothing to do
+      expectSamePoints (this->run (filter), *this->cloud_); // with equal normals, nothing moves
   }
 }
 
@@ -88,7 +88,7 @@ TYPED_TEST (FilterBadInput, DuplicatesDoNotHarm)
   const auto output = this->run (filter);
   ASSERT_EQ (output.size (), 600u);
   this->expectFinite (output);
-  for (std::size_t i = 0; i < 300; ++i) // whatever the order of the ties, both stay in one place
+  for (std::size_t i = 0; i < 300; ++i) // however ties are ordered, copies stay together
     EXPECT_LT ((output[i].getVector3fMap () - output[i + 300].getVector3fMap ()).norm (), 0.02) << "point " << i;
 }
 
@@ -100,7 +100,7 @@ TYPED_TEST (FilterBadInput, ParametersOutOfRangeAreErrors)
   this->expectError (filter, "-3");
   filter.setKSearch (10);
   filter.setRadiusSearch (0.75);
-  this->expectError (filter, "0.75"); // both
+  this->expectError (filter, "0.75"); // both are set
   filter.setKSearch (0);
   for (const auto& [radius, name] : {std::pair (-0.5, "-0.5"), std::pair (double (nan_float), "nan"),
                                      std::pair (std::numeric_limits<double>::infinity (), "inf")}) {
@@ -124,7 +124,7 @@ TYPED_TEST (FilterBadInput, ParametersOutOfRangeAreErrors)
     this->prepare (fresh);
     fresh.setSigmaS (0.3);
     return this->run (fresh);
-  }()); // no error leaves anything behind
+  }()); // no error leaves a trace
 }
 
 TYPED_TEST (FilterBadInput, NeitherKNorARadiusIsAnErrorWhereTheClassDoesNotChoose)
@@ -172,7 +172,7 @@ TYPED_TEST (FilterBadInput, NoCloudIsAnErrorAndLeavesNothingInTheOutput)
   this->expectError (filter, "setInputCloud");
 }
 
-/** Those that read normals. */
+/** For the filters that read normals. */
 template <typename FilterT>
 class FilterBadNormals : public FilterTest<FilterT>
 {};
@@ -211,7 +211,7 @@ TYPED_TEST (FilterBadNormals, TheirLengthDoesNotMatterAndWhereThereIsNoneThePoin
   const Shape shape = torus (300, 1, 0.4);
   Vectors unit = shape.normals, scaled = shape.normals;
   for (std::size_t i = 0; i < unit.size (); ++i)
-    scaled[i] *= i % 3 == 0 ? 8.0f : 0.125f; // powers of two: normalising loses nothing
+    scaled[i] *= i % 3 == 0 ? 8.0f : 0.125f; // powers of two, so that normalising is exact
   TypeParam filter;
   this->prepare (filter);
   readNormals (filter);
@@ -236,8 +236,8 @@ TYPED_TEST (FilterBadNormals, TheirLengthDoesNotMatterAndWhereThereIsNoneThePoin
 class FilterNormals : public FilterTest<BilateralNormalFilter<pcl::PointXYZ>>
 {
 protected:
-  /** Expects an error that says \a part of what is wrong, nothing in an output, and the input's normals where that is
-    * it. */
+  /** Expects an error message that contains \a part, an empty output, and unchanged normals if the input's are the
+    * output. */
   static void
   expectErrorOfNormals (BilateralNormalFilter<pcl::PointXYZ>& filter,
                         const NormalCloud::Ptr& normals,
@@ -280,6 +280,6 @@ TEST_F (FilterNormals, AnErrorIsSaidAndLeavesThoseInPlaceAsTheyAre)
   filter.setKSearch (-3);
   expectErrorOfNormals (filter, normals, "-3");
   filter.setInputCloud (nullptr);
-  expectErrorOfNormals (filter, normals, "setInputCloud"); // not what the run before had to say
+  expectErrorOfNormals (filter, normals, "setInputCloud"); // not the message of the run before
 }
 } // namespace

@@ -9,7 +9,7 @@ namespace
 {
 using namespace test_support;
 
-/** What is just possible, and what is just not. */
+/** Cases at and just beyond the limits of what is possible. */
 template <typename FilterT>
 class FilterEdges : public FilterTest<FilterT>
 {
@@ -23,7 +23,7 @@ protected:
     filter.setKSearch (10);
   }
 
-  /** An output of finite points, one for each of the input, or an empty one and a message. */
+  /** Expects one finite point per input point, or an empty output and a message. */
   static void
   expectDefined (FilterT& filter, std::size_t size)
   {
@@ -55,7 +55,7 @@ TYPED_TEST (FilterEdges, AsManyPointsAsNeighboursOneLessAndOneMore)
     const auto output = this->run (filter);
     EXPECT_EQ (output.size (), count);
     this->expectDefined (filter, count);
-    if (count > 10 || (count < 7 && TestFixture::Traits::estimates_normals)) // too few for k, not for a cloud
+    if (count > 10 || (count < 7 && TestFixture::Traits::estimates_normals)) // too few for k, but a valid cloud
       continue;
     this->prepareFor (of_all, points, normals);
     of_all.setKSearch (static_cast<int> (count));
@@ -65,7 +65,7 @@ TYPED_TEST (FilterEdges, AsManyPointsAsNeighboursOneLessAndOneMore)
 
 TYPED_TEST (FilterEdges, APlaneStays)
 {
-  const Shape plane = planeGrid (17, 0.125f); // at a right angle to an axis, and not
+  const Shape plane = planeGrid (17, 0.125f); // parallel to the axes, and rotated
   const Eigen::Matrix3f turn = Eigen::Quaternionf (0.4f, 0.2f, -0.3f, 0.8f).normalized ().toRotationMatrix ();
   for (const Eigen::Matrix3f& rotation : {Eigen::Matrix3f (Eigen::Matrix3f::Identity ()), turn}) {
     Vectors points, normals;
@@ -130,7 +130,7 @@ TYPED_TEST (FilterEdges, CopiedAndMovedItGivesTheSame)
   expectSamePoints (this->run (moved), expected);
   moved_to = std::move (moved);
   expectSamePoints (this->run (moved_to), expected);
-  expectSamePoints (this->run (copy), expected); // none of them shares anything that changes
+  expectSamePoints (this->run (copy), expected); // they share nothing that can change
 }
 
 TYPED_TEST (FilterEdges, TheSearchForCamerasGivesTheSameOnTheirClouds)

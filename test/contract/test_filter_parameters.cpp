@@ -80,7 +80,7 @@ TEST_F (BilateralParameters, InputNormalsComeFirstAndMayHaveACloudOfTheirOwn)
   for (std::size_t i = 0; i < normals.size (); ++i)
     EXPECT_EQ (normals[i].getNormalVector3fMap (), expected[i].getNormalVector3fMap ()) << "point " << i;
 
-  // Into the points it cannot write them, and says so.
+  // The points have no normals to write to, and the error says so.
   pcl::PointCloud<pcl::PointXYZ> output = poisonedCloud<pcl::PointXYZ> ();
   without.filter (output);
   expectEmpty (output);
@@ -126,7 +126,7 @@ TEST_F (UpdateParameters, ASearchIntervalWorksWithEverySearch)
   auto search = std::make_shared<pcl::search::KdTree<pcl::PointNormal>> ();
   filter.setSearchMethod (search);
   const auto of_search = run (filter);
-  for (std::size_t i = 0; i < expected.size (); ++i) // the search sees positions in float
+  for (std::size_t i = 0; i < expected.size (); ++i) // search objects get the positions in float
     EXPECT_LT ((of_search[i].getVector3fMap () - expected[i].getVector3fMap ()).norm (), 1e-5) << "point " << i;
   EXPECT_EQ (search->getInputCloud (), cloud_) << "the user's search must be left with the user's cloud";
 }

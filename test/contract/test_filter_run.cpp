@@ -11,7 +11,7 @@ template <typename FilterT>
 class FilterRun : public FilterTest<FilterT>
 {
 protected:
-  /** A cloud of many chunks of work, so that threads have something to share. */
+  /** Uses a cloud of many work chunks, so that threads have something to share. */
   FilterRun ()
   {
     const Shape shape = torus (6000, 1, 0.4);
@@ -69,7 +69,7 @@ TEST (SmoothingRun, CanBeCancelledWhileTheNoiseIsEstimated)
   smoothing.setProgressCallback ([&] (double share) {
     standing += share == last && share > 0.4 && share < 1 ? 1 : 0;
     last = share;
-    return standing < 20; // between the search and the rounds alone does it stand so long
+    return standing < 20; // progress stands still this long only between the search and the rounds
   });
   pcl::PointCloud<pcl::PointNormal> output;
   smoothing.filter (output);

@@ -15,7 +15,7 @@ class FilterScales : public FilterTest<FilterT>
 protected:
   using Cloud = typename FilterScales::Cloud;
 
-  /** The fixture's cloud, in another unit. */
+  /** The fixture's cloud in another unit. */
   typename FilterScales::CloudPtr
   scaledCloud (double scale) const
   {
@@ -36,7 +36,7 @@ protected:
     return this->run (filter);
   }
 
-  /** \param[in] set (filter, scale) what is set beside k */
+  /** \param[in] set (filter, scale) sets what the test needs besides k */
   template <typename Set>
   void
   expectTheSameBits (const Set& set) const
@@ -171,7 +171,7 @@ TEST_F (SmoothingScales, EveryMethodWorksInEveryUnit)
       const auto expected = resultAt (1, set);
       for (const double scale : {1e-30, 1e-22, 1e22, 1e30}) {
         const auto output = resultAt (scale, set);
-        double sum = 0; // the triples of the Hough transform are others
+        double sum = 0; // the Hough transform draws other triples
         for (std::size_t i = 0; i < output.size (); ++i)
           sum += (output[i].getVector3fMap ().cast<double> () / scale - expected[i].getVector3fMap ().cast<double> ())
                      .norm ();
@@ -202,7 +202,7 @@ TEST_F (SmoothingScales, TheOptionsThatWereUsedAreInTheCloudsUnit)
 
 TEST (UpdateScales, APointThatWouldLeaveTheRangeOfFloatIsAnError)
 {
-  const Shape ball = sphere (300, 1); // the paper's update inflates it
+  const Shape ball = sphere (300, 1); // which the paper's update inflates
   float largest = 0;
   for (const auto& point : ball.points)
     largest = std::max (largest, point.lpNorm<Eigen::Infinity> ());

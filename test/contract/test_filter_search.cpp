@@ -81,7 +81,7 @@ TYPED_TEST (FilterSearch, APointMovedBehindItsPointerIsFoundWhereItIs)
     filter.setSearchMethod (search);
     search->setInputCloud (this->cloud_);
     this->run (filter);
-    for (std::size_t i = 0; i < this->cloud_->size (); ++i) // the halves change places
+    for (std::size_t i = 0; i < this->cloud_->size (); ++i) // swap the two halves
       (*this->cloud_)[i].getVector3fMap () = this->points_[(i + 150) % 300];
     const auto stale = this->run (filter);
     expectSamePoints (stale, this->result ());
@@ -178,7 +178,7 @@ TYPED_TEST (FilterSearch, AGraphOfAnotherCloudIsRefused)
   this->run (filter);
 }
 
-/** What NormalSmoothing needs of k, for each way that it has. */
+/** The smallest k that NormalSmoothing accepts, for each of its methods. */
 TEST (SmoothingK, TooSmallForAnyNormalOrQuadricItIsAnError)
 {
   using Smoothing = pcl_normal_smoothing::NormalSmoothing<pcl::PointNormal>;

@@ -58,7 +58,7 @@ protected:
     EXPECT_EQ (output.width * output.height, 0u);
   }
 
-  /** The template's result for the same points. */
+  /** The result of the class template for the same points. */
   pcl::PointCloud<pcl::PointNormal>
   expected () const
   {
@@ -70,7 +70,7 @@ protected:
     return output;
   }
 
-  /** Every byte but those of the positions. */
+  /** Compares every byte except those of the positions. */
   static void
   expectSameOtherFields (pcl::PCLPointCloud2 actual, const BinaryLayout& layout, const pcl::PCLPointCloud2& input)
   {
@@ -151,8 +151,8 @@ TEST_F (PointCloud2Test, DoublesFarFromTheOriginMoveAsAtTheOrigin)
   prepare (far_smoothing, makeBinaryCloud (layout, points_, far));
   const pcl::PCLPointCloud2 near_output = run (near_smoothing), far_output = run (far_smoothing);
   expectSameOtherFields (far_output, layout, makeBinaryCloud (layout, points_, far));
-  // Some roundings of a float coordinate: the share of a step that the rounds take is a steep function of what they
-  // see.
+  // A few rounding errors of a float coordinate: the share of a step that the rounds take depends steeply on the
+  // positions.
   for (std::size_t i = 0; i < points_.size (); ++i)
     EXPECT_LT ((layout.position (far_output, i) - far - layout.position (near_output, i)).norm (), 2e-6)
         << "point " << i;
@@ -282,7 +282,7 @@ TEST_F (PointCloud2Test, DataThatIsShorterThanItSaysIsAnError)
   bad.data.resize (bad.data.size () / 2);
   expectError (bad, std::to_string (bad.data.size ()));
   bad = good;
-  bad.fields[2].offset = bad.point_step; // z would be the next point's
+  bad.fields[2].offset = bad.point_step; // z would extend into the next point
   expectError (bad, "x, y, z");
   bad = good;
   bad.point_step = 0;

@@ -19,7 +19,7 @@ TEST_F (SmoothingParameters, NulloptTakesBackWhatWasSet)
                 [] (auto& filter) { filter.setNoiseSigma (std::nullopt); });
   expectEffect ([] (auto& filter) { filter.setPointIterations (1); },
                 [] (auto& filter) { filter.setPointIterations (std::nullopt); });
-  expectEffect ([] (auto& filter) { filter.setNormalIterations (1); }, // it had chosen the chain
+  expectEffect ([] (auto& filter) { filter.setNormalIterations (1); }, // this had selected the chain
                 [] (auto& filter) { filter.setNormalIterations (std::nullopt); });
 }
 
@@ -74,7 +74,7 @@ TEST_F (SmoothingParameters, OutOfRangeTheyAreRefused)
   expectRefused ([] (auto& filter) { filter.setNoiseSigma (nan_float); }, "nan");
   expectRefused ([] (auto& filter) { filter.setPointSpacing (-1); }, "-1:");
   expectRefused ([] (auto& filter) { filter.setSheetDistance (-1); }, "-1:");
-  Smoothing chain; // has no noise to know: what it says that it used may be set
+  Smoothing chain; // the chain needs no noise: what it reports as used can be set
   prepare (chain);
   chain.setNormalIterations (1);
   run (chain);
@@ -85,7 +85,7 @@ TEST_F (SmoothingParameters, OutOfRangeTheyAreRefused)
 TEST_F (SmoothingParameters, WhatWasEstimatedGivesTheSameResultWhenItIsSet)
 {
   constexpr float spacing = 0.01f;
-  // At two close sheets the noise is estimated a second time, without the points of the other.
+  // With two close sheets, the noise is estimated a second time, without the points of the other sheet.
   for (const Shape& shape : {planeGrid (60, spacing), parallelSheets (60, spacing, 1.5f * spacing)})
     for (const SmoothingPreset preset : {SmoothingPreset::DEFAULT, SmoothingPreset::FAST}) {
       const auto cloud = makeCloud<pcl::PointNormal> (withNormalNoise (shape, 0.2 * spacing, 1), shape.normals);
@@ -122,7 +122,7 @@ TEST_F (SmoothingParameters, ThePaperPresetIsThePapers)
   prepare (preset);
   preset.setKSearch (0);
   preset.setPreset (SmoothingPreset::PAPER);
-  prepare (by_hand); // PGU7 of section III of the paper, with 5 normal and 7 point iterations
+  prepare (by_hand); // PGU7 in section III of the paper, with 5 normal and 7 point iterations
   by_hand.setKSearch (7);
   by_hand.setNormalSource (NormalSource::PCA);
   by_hand.setNormalWeight (NormalWeight::GAUSSIAN);
@@ -162,7 +162,7 @@ TEST_F (SmoothingParameters, IsTheChainOfItsStages)
   update.filter (expected);
   const Cloud output = run (whole);
   ASSERT_EQ (output.size (), expected.size ());
-  for (std::size_t i = 0; i < output.size (); ++i) // between the stages normals are stored and normalised anew
+  for (std::size_t i = 0; i < output.size (); ++i) // between the stages, normals are stored and normalised again
     EXPECT_LT ((output[i].getVector3fMap () - expected[i].getVector3fMap ()).norm (), 1e-5) << "point " << i;
 }
 } // namespace

@@ -15,7 +15,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 constexpr float spacing = 0.01f;
 constexpr double sigma = 0.2 * 0.01;
 
-/** A cloud of a shape with noise along its normals. */
+/** A cloud of the shape's points, with noise along its normals. */
 Cloud::Ptr
 withNoise (const test_support::Shape& plane)
 {
@@ -64,7 +64,7 @@ TEST (SurfaceNoiseEstimationTest, IndexedPointsAloneAreTheCloud)
   const Cloud::Ptr cloud = noisyPlane ();
   const std::size_t size = cloud->size ();
   auto indices = pcl::make_shared<pcl::Indices> ();
-  for (std::size_t i = 0; i < size; ++i) { // a clean plane above the noisy one
+  for (std::size_t i = 0; i < size; ++i) { // add a clean plane above the noisy one
     indices->push_back (static_cast<pcl::index_t> (cloud->size ()));
     cloud->emplace_back ((*cloud)[i].x, (*cloud)[i].y, 1.0f);
   }
@@ -90,7 +90,7 @@ TEST (SurfaceNoiseEstimationTest, IndexedPointsAreSearchedByEverySearch)
   const Cloud::Ptr cloud = noisyPlane ();
   const pcl::IndicesPtr indices = everyThird (*cloud);
   auto searches = test_support::userSearches<pcl::PointXYZ> ();
-  searches.push_back (nullptr); // the module's own
+  searches.push_back (nullptr); // the module's own search
   for (const auto& search : searches) {
     SurfaceNoiseEstimation<pcl::PointXYZ> of_indexed, alone;
     of_indexed.setInputCloud (cloud);

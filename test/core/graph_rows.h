@@ -7,7 +7,7 @@
 
 namespace test_support
 {
-/** Indices in the cloud of one node's neighbours. */
+/** The neighbours of one node, as indices in the cloud. */
 inline IndexRow
 rowInCloud (const pcl_normal_smoothing::core::NeighborGraph& graph, std::size_t node)
 {
@@ -18,7 +18,7 @@ rowInCloud (const pcl_normal_smoothing::core::NeighborGraph& graph, std::size_t 
   return result;
 }
 
-/** All rows, sorted by the point they belong to; points without a node have an empty one. */
+/** All rows by point, in the order of the cloud; empty for points without a node. */
 inline std::vector<IndexRow>
 rowsByPoint (const pcl_normal_smoothing::core::NeighborGraph& graph)
 {
@@ -28,7 +28,7 @@ rowsByPoint (const pcl_normal_smoothing::core::NeighborGraph& graph)
   return rows;
 }
 
-/** What nodes hold, in the order of the cloud. */
+/** Reorders values from the order of the nodes to that of the cloud. */
 inline Vectors
 byPoint (const Vectors& of_nodes, const pcl_normal_smoothing::core::NeighborGraph& graph)
 {
@@ -38,7 +38,7 @@ byPoint (const Vectors& of_nodes, const pcl_normal_smoothing::core::NeighborGrap
   return of_points;
 }
 
-/** What points hold, in the order of the nodes. */
+/** Reorders values from the order of the cloud to that of the nodes. */
 inline Vectors
 byNode (const Vectors& of_points, const pcl_normal_smoothing::core::NeighborGraph& graph)
 {

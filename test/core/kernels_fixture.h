@@ -21,7 +21,7 @@ using namespace pcl_normal_smoothing::core;
 inline constexpr float infinity = std::numeric_limits<float>::infinity ();
 inline constexpr float nan_float = std::numeric_limits<float>::quiet_NaN ();
 
-/** NaNs are equal here, bits count. */
+/** Compares bit patterns, so equal NaNs are equal. */
 template <typename Number>
 void
 expectSameBits (const std::vector<Number>& actual, const std::vector<Number>& expected, const std::string& kernels)
@@ -32,7 +32,7 @@ expectSameBits (const std::vector<Number>& actual, const std::vector<Number>& ex
         << kernels << ": number " << i << " is " << actual[i] << ", not " << expected[i];
 }
 
-/** \param[in] compute gives numbers for kernels */
+/** Expects the same results for all instruction sets. \param[in] compute maps kernels to a vector of numbers */
 template <typename Compute>
 void
 expectAllTheSame (const Compute& compute)
@@ -44,8 +44,8 @@ expectAllTheSame (const Compute& compute)
     expectSameBits (compute (*all[i]), compute (*all[count - 1]), all[i]->name);
 }
 
-/** Clouds whose last block is full or not, that have moved or not, rows of one length or of many, some nodes without a
-  * normal. */
+/** Clouds with a full or a partly filled last block, with and without offsets, with rows of one or of many lengths, and
+  * with some nodes that have no normal. */
 class KernelsTest : public testing::TestWithParam<std::tuple<int, NeighborQuery>>
 {
 protected:
@@ -55,7 +55,7 @@ protected:
     const Positions cloud = asPositions (withNoise (shape.points, 0.05, 120));
     graph_ = NeighborGraph::build (cloud, std::get<1> (GetParam ()), Execution (1));
     nodes_ = gather (cloud, graph_->order ());
-    if (shape.points.size () % 2 == 1) // else they are all zero, and kernels do without
+    if (shape.points.size () % 2 == 1) // otherwise offsets are zero, and kernels skip them
       nodes_.offset = withNoise (nodes_.offset, 0.02, 122);
     Vectors normals = withRandomSigns (shape.normals, 121);
     for (std::size_t i = 0; i < normals.size (); i += 11)
@@ -63,14 +63,14 @@ protected:
     normals_ = byNode (normals, *graph_);
   }
 
-  /** Three numbers a node, poisoned. */
+  /** Three values per node, initially poisoned. */
   std::vector<float>
   vectors () const
   {
     return std::vector<float> (3 * nodes_.size (), -77);
   }
 
-  /** A number for every node, above 0. */
+  /** A value per node, above 0. */
   Numbers
   factorsOfNodes () const
   {
@@ -110,7 +110,7 @@ protected:
     return filtered;
   }
 
-  /** Of the nodes, without limit or factors. */
+  /** A step on the nodes, without displacement limit or factors. */
   PointUpdateStep
   updateStep (UpdateKind kind) const
   {
@@ -139,7 +139,7 @@ protected:
   Vectors normals_;
 };
 
-/** What KernelsTest is instantiated with. */
+/** Parameters for instantiating KernelsTest. */
 inline auto
 graphsForKernels ()
 {

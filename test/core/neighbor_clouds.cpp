@@ -32,7 +32,7 @@ Vectors
 integerGrid ()
 {
   Vectors points;
-  for (const std::uint32_t i : permutation (512, 3)) // ties by index are not ties by place
+  for (const std::uint32_t i : permutation (512, 3)) // so that the order of indices differs from that of positions
     points.emplace_back (static_cast<float> (i % 8), static_cast<float> (i / 8 % 8), static_cast<float> (i / 64));
   return points;
 }
@@ -45,7 +45,7 @@ scaledAndMoved (Vectors points, const Eigen::Vector3f& scale, const Eigen::Vecto
   return points;
 }
 
-/** Distances whose squares a float cannot hold, or holds with a few digits. */
+/** Distances whose squares underflow in float, or keep only a few digits. */
 Vectors
 vanishingSquares ()
 {
@@ -72,7 +72,7 @@ addDouble (const Eigen::Vector3d& place, Positions& positions)
   positions.offset.push_back ((place - positions.base.back ().cast<double> ()).cast<float> ());
 }
 
-/** What doubles at UTM coordinates become: the floats are 0.5 apart, the shape is in the offsets. */
+/** Doubles at UTM coordinates: floats are 0.5 apart there, so the shape is in the offsets. */
 Positions
 doubles ()
 {
@@ -82,8 +82,7 @@ doubles ()
   return positions;
 }
 
-/** Of a tree about the middle one of these clusters the others are so far that its floats do not tell their points
-  * apart. */
+/** Clusters so far apart that floats relative to the middle one cannot distinguish the points within the others. */
 Positions
 doublesFarFromEachOther ()
 {

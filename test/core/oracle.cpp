@@ -26,14 +26,14 @@ gaussian (double x, double sigma)
   return std::exp (-x * x / (2 * sigma * sigma));
 }
 
-/** The sign s by which a neighbour's normal counts: -1 where it is flipped. */
+/** The sign s of a neighbour's normal: -1 if it is to be flipped. */
 double
 flip (const Eigen::Vector3d& n_i, const Eigen::Vector3d& n_j, bool oriented)
 {
   return !oriented && n_i.dot (n_j) <= 0 ? -1 : 1;
 }
 
-/** By singular values of the weighted, centred points, where the library takes eigenvalues of their covariance. */
+/** By singular values of the weighted, centred points; the library uses the eigenvalues of their covariance. */
 OracleSurface
 surfaceOf (const Points& points, const std::vector<double>& weights)
 {
@@ -133,7 +133,7 @@ moved (const Points& points,
   return points[i] + sum / weights;
 }
 
-/** The cell of a direction of the upper half sphere: band and column, cells of a band about as wide as high. */
+/** The cell of a direction in the upper half sphere, as band and column; cells are about as wide as they are high. */
 std::pair<int, int>
 cellOf (const Eigen::Vector3d& direction, int bands)
 {

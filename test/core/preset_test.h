@@ -7,7 +7,7 @@
 
 namespace test_support
 {
-/** What holds for both of the presets default and fast. */
+/** Tests that run with both presets, default and fast. */
 class PresetTest : public testing::TestWithParam<bool>
 {
 protected:
@@ -17,7 +17,7 @@ protected:
     return GetParam ();
   }
 
-  /** Neighbours that the preset looks at. */
+  /** Number of neighbours that the preset uses. */
   static std::uint32_t
   k ()
   {

@@ -7,7 +7,7 @@
 
 namespace test_support
 {
-/** A cloud and its neighbourhoods. */
+/** A cloud with its neighbourhoods. */
 struct Searched
 {
   explicit Searched (const Vectors& points, const pcl_normal_smoothing::core::NeighborQuery& query = {32})

@@ -16,8 +16,8 @@ struct Smoothed
   Vectors normals;
 };
 
-/** The presets default and fast: rounds, what they need to be estimated, with even noise and neighbourhoods as they
-  * are. */
+/** The rounds of the presets default and fast, with noise and sheet distance to be estimated; the noise is taken as
+  * even, and neighbourhoods do not grow. */
 inline pcl_normal_smoothing::core::SmoothingOptions
 robustOptions (bool fast)
 {
@@ -30,7 +30,7 @@ robustOptions (bool fast)
   return options;
 }
 
-/** The same with noise that may vary, and neighbourhoods that may grow: as they are by default. */
+/** The same with noise that may vary and neighbourhoods that may grow, the defaults. */
 inline pcl_normal_smoothing::core::SmoothingOptions
 wideningOptions (bool fast)
 {
@@ -39,14 +39,14 @@ wideningOptions (bool fast)
   return options;
 }
 
-/** How many neighbours the preset looks at. */
+/** Number of neighbours that the preset uses. */
 inline std::uint32_t
 neighborsOf (bool fast)
 {
   return fast ? 16 : 32;
 }
 
-/** With what the cloud tells. */
+/** The options completed with estimates from the cloud. */
 inline pcl_normal_smoothing::core::SmoothingOptions
 prepared (pcl_normal_smoothing::core::SmoothingOptions options, const Searched& cloud)
 {
@@ -57,7 +57,7 @@ prepared (pcl_normal_smoothing::core::SmoothingOptions options, const Searched& 
   return options;
 }
 
-/** What hides the noise of points, said alike by the estimate of noise and by what smoothing uses. */
+/** What hides the noise of the points; expects the noise estimate and the smoothing to agree on it. */
 inline pcl_normal_smoothing::core::NoiseHiddenBy
 noiseHiddenBy (const Vectors& points)
 {
@@ -68,7 +68,7 @@ noiseHiddenBy (const Vectors& points)
   return estimated;
 }
 
-/** The whole method, in the order of the cloud.
+/** Runs the whole method; results are in the order of the cloud.
   * \param[in] normals for NormalSource::INPUT */
 inline Smoothed
 smoothed (const Positions& cloud,

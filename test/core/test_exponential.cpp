@@ -19,7 +19,7 @@ expOfMinusOne (float x)
 
 TEST (Exponential, AgreesWithTheLibrarys)
 {
-  double worst = 0; // in units of what the rounding of the exponent adds to
+  double worst = 0; // relative error over 1 + x / 2, as rounding the exponent adds an error proportional to x
   for (int i = 0; i < 870000; ++i) {
     const float x = static_cast<float> (i) * 1e-4f;
     const double expected = std::exp (-static_cast<double> (x));

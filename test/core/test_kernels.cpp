@@ -17,7 +17,7 @@ TEST_P (KernelsTest, DistanceWeightsAreTheSameForEveryInstructionSet)
     std::vector<std::uint16_t> weights = distanceWeights (kernels);
     for (std::size_t i = graph_->blockBegin (last); i < weights.size (); ++i)
       if (i % block_size >= nodes_of_last)
-        weights[i] = 0; // a lane without a node of its own: kernels may leave it out
+        weights[i] = 0; // lanes without a node, which kernels may skip
     return weights;
   });
 }
@@ -190,7 +190,7 @@ TEST_P (KernelsTest, StepsAreTheSameForEveryInstructionSet)
     expectAllTheSame ([&] (const Kernels& kernels) {
       std::vector<std::uint8_t> weights (pairsBegin (*graph_, graph_->blockCount ()));
       Numbers moved (nodes_.size (), .01f), risks (2 * nodes_.size ()), averaged (risks.size ());
-      Vectors proposed = nodes_.base; // in place: no lane may meet what another has taken
+      Vectors proposed = nodes_.base; // in place: no lane may read what another has taken
       const Numbers factors = factorsOfNodes ();
       const NodeArrays nodes = nodeArrays (nodes_, normals_);
       const RiskLimit limit {.3f, first_round ? nullptr : factors.data ()};
@@ -237,7 +237,7 @@ TEST_P (KernelsTest, TheWayAlongTheNormalIsAddedUpFromTheSecondRoundOn)
     steps.nodes = nodeArrays (nodes_, normals_);
     steps.proposed = proposed.data ()->data ();
     steps.risks = risks.data ();
-    steps.limit.usual = 10; // more than any risk: whole steps
+    steps.limit.usual = 10; // more than any risk, so that whole steps are taken
     steps.max_displacement = infinity;
     steps.moved = first_round ? nullptr : moved.data ();
     steps.taken = taken.data ()->data ();

@@ -88,7 +88,7 @@ TEST (Sphere, TheCompensatedUpdateDoesNotDriftAndThePapersDoes)
         return meanRadius (sum (shape.points, result.displacements)) / radius - 1;
       };
       EXPECT_LT (std::abs (drift (UpdateRule::COMPENSATED)), 1e-4) << "radius " << radius;
-      EXPECT_GT (drift (UpdateRule::PAPER), 0.01) << "radius " << radius; // outward whichever way the normals point
+      EXPECT_GT (drift (UpdateRule::PAPER), 0.01) << "radius " << radius; // outward, whichever way the normals point
     }
   }
 }
@@ -136,7 +136,7 @@ TEST (Cube, EdgesStaySharp)
 
 TEST (ParallelSheets, OrientedNormalsKeepThemApart)
 {
-  const float gap = 0.05f; // half of the spacing: most neighbours are of the other sheet
+  const float gap = 0.05f; // half the spacing: most neighbours are on the other sheet
   const Shape sheets = parallelSheets (20, 0.1f, gap);
   const std::size_t count = sheets.size () / 2;
   const auto gap_after = [&] (UpdateRule rule, bool oriented) {

@@ -28,7 +28,7 @@ PrintTo (const MethodCase& test, std::ostream* out)
   *out << test.name;
 }
 
-/** Every estimator, every weight, both updates and the rounds: the method does not know where it is, nor how large. */
+/** All estimators, weights, both updates and the rounds: results must not depend on position, orientation or scale. */
 class MotionTest : public testing::TestWithParam<MethodCase>
 {
 protected:
@@ -48,15 +48,15 @@ protected:
     return result;
   }
 
-  /** Hough draws its triples by the coordinates: elsewhere it is another draw, as good, but not the same. */
+  /** Hough draws its triples by the coordinates: elsewhere it draws others, with equally good but different results. */
   static bool
   isRandom ()
   {
     return GetParam ().source == NormalSource::HOUGH;
   }
 
-  /** Smooths the cloud as \a motion moves it.
-    * \param[in] back the displacements' way back */
+  /** Smooths the cloud before and after \a motion, and compares the displacements.
+    * \param[in] back transforms the displacements back */
   template <typename Motion>
   void
   expectCommutes (const Motion& motion, const Eigen::Matrix3d& back) const
@@ -106,7 +106,7 @@ TEST_P (MotionTest, CommutesWithScale)
 
 TEST_P (MotionTest, FarFromTheOriginItIsTheSame)
 {
-  Vectors here, there; // a cloud of kilometres: float holds both places exactly
+  Vectors here, there; // kilometres wide, so that float holds both positions exactly
   for (const auto& point : cloud_) {
     here.push_back ((2000 * point).array ().round () / 2);
     there.push_back (here.back () + Eigen::Vector3f (5e6f, 5e6f, -5e6f));

@@ -98,7 +98,7 @@ TEST (ParallelFor, StopsWhereTheCallbackSaysSo)
     const Execution execution (threads, [] (double share) { return share < 0.1; });
     const auto body = [&] (std::size_t, std::size_t) {
       ++ranges;
-      std::this_thread::sleep_for (std::chrono::microseconds (10)); // else all may be done before the caller's turn
+      std::this_thread::sleep_for (std::chrono::microseconds (10)); // or all may be done before the caller's turn
     };
     EXPECT_THROW (parallelFor (100000, execution, body, 10), Cancelled);
     EXPECT_LT (ranges, 10000) << "the loop went on to the end";

@@ -32,11 +32,11 @@ TEST (Positions, AnOffsetAnywhereIsSeen)
 
 TEST (Positions, LargeArraysHoldWhatTheyAreGiven)
 {
-  for (const std::size_t size : {349523, 349526, 500000, 1048576}) { // of 12 bytes: about two large pages and more
+  for (const std::size_t size : {349523, 349526, 500000, 1048576}) { // of 12 bytes: about two large pages, and more
     Vectors vectors (size, Eigen::Vector3f (1, 2, 3));
     const Vectors copy = vectors;
     vectors.resize (size / 100);
-    vectors.shrink_to_fit (); // back to small memory
+    vectors.shrink_to_fit (); // back to memory without large pages
     EXPECT_EQ (copy.back (), Eigen::Vector3f (1, 2, 3));
     EXPECT_EQ (vectors.back (), Eigen::Vector3f (1, 2, 3));
   }

@@ -17,7 +17,7 @@ using namespace test_support;
 constexpr int side = 40;
 constexpr float spacing = 0.02f;
 
-/** A noisy wavy sheet and its neighbourhoods. */
+/** A sheet with noise and its neighbourhoods. */
 struct Sheet
 {
   Positions nodes;
@@ -32,7 +32,7 @@ struct Sheet
     nodes = gather (asPositions (points), graph->order ());
   }
 
-  /** Hops along the rows from \a node to every other. */
+  /** Number of hops along the rows from \a node to every other node. */
   std::vector<int>
   hopsFrom (std::uint32_t node) const
   {
@@ -50,7 +50,7 @@ struct Sheet
     return hops;
   }
 
-  /** Nodes that are \a least hops off or more are somewhere else. */
+  /** The nodes, with those at least \a least hops away moved. */
   Positions
   movedFrom (const std::vector<int>& hops, int least) const
   {
@@ -61,7 +61,7 @@ struct Sheet
     return moved;
   }
 
-  /** The rows of nodes that are \a least hops off or more are others. */
+  /** The graph, with other rows for nodes at least \a least hops away. */
   NeighborGraph::ConstPtr
   graphFrom (const std::vector<int>& hops, int least) const
   {
@@ -99,14 +99,15 @@ smoothedNode (const NeighborGraph::ConstPtr& graph,
   return {surface.positions.offset[node], surface.normals[node]};
 }
 
-/** Nothing beyond the depth counts; at the depth something does, for some of the nodes.
-  * \param[in] unseen hops that do not show: the first round's averages decide nothing while all of a step is taken */
+/** Expects that nothing beyond the depth has an influence, and that something at the depth has one on some nodes.
+  * \param[in] unseen hops without visible influence: while steps are taken whole, the averages of the first round
+  * decide nothing */
 void
 expectDepth (const SmoothingOptions& options, std::uint32_t k, int depth, int unseen = 0)
 {
   SCOPED_TRACE ("depth " + std::to_string (depth));
   ASSERT_EQ (smoothingDepth (options), depth);
-  // More noise than the options say, so that steps are not taken whole.
+  // More noise than the options state, so that steps are not taken whole.
   const Sheet sheet (k, options.robust ? 2 * options.rounds.noise.sigma / spacing : 0.2f);
   int by_points = 0, by_rows = 0;
   for (std::uint32_t node = 0; node < sheet.graph->size (); node += 101) {
@@ -153,10 +154,10 @@ TEST (SmoothingDepthTest, Chain)
 
 TEST (SmoothingDepthTest, Rounds)
 {
-  // A fit, an update, and three or four averages a round; a filter from the second on, or with fast where there is much
-  // noise; the first fit takes in the normals that the node begins with, and, but with fast, how far apart its
-  // neighbours' neighbours are. At the end points are kept apart, one hop. In far rounds what looks at neighbours looks
-  // at theirs.
+  // A hop each for the fit, the update, each of the three or four averages of a round, and for the filter (from the
+  // second round on; with fast, where the noise is large). The first fit uses the initial normals, and, except with
+  // fast, how far apart its neighbours' neighbours are. Keeping points apart at the end adds one hop. In far rounds,
+  // whatever uses neighbours uses those of the neighbours.
   expectDepth (rounds (1, false, .2f), 12, 2 + 1 + 4 + 1, 6);
   expectDepth (rounds (1, false, .4f), 12, 2 + 1 + 4 + 1, 6);
   expectDepth (rounds (2, false, .2f), 12, (2 + 1 + 4) + (1 + 1 + 1 + 4) + 1, 6);
@@ -182,7 +183,7 @@ TEST (SmoothingDepthTest, OfThePresets)
   EXPECT_EQ (smoothingDepth (chain (NormalSource::PCA, 5, 7)), 13);
 }
 
-/** Points on two sheets that are close. */
+/** Two close sheets. */
 Sheet
 twoSheets ()
 {
@@ -212,12 +213,12 @@ TEST (SmoothingDepthTest, OfTheSeparationOfSheets)
     const std::uint32_t point = sheet.graph->order ()[node];
     const std::vector<int> hops = sheet.hopsFrom (node);
     changed += rows[point] != rowInCloud (*sheet.graph, node);
-    // A row holds points up to a hop farther than the node that it is of.
+    // The row of a node holds points up to one hop farther away.
     const auto beyond =
         separateSheets (sheet.graphFrom (hops, depth + 1), sheet.movedFrom (hops, depth + 2), options, execution);
     EXPECT_EQ (rowInCloud (*beyond, node), rows[point]);
-    // That the last hop of all matters takes a start normal that decides a vote that decides whether nodes vote again:
-    // too rare.
+    // An influence of the very last hop is too rare to test: a start normal would have to decide a vote that decides
+    // whether nodes vote again.
     const auto within =
         separateSheets (sheet.graphFrom (hops, depth - 1), sheet.movedFrom (hops, depth), options, execution);
     within_it += rowInCloud (*within, node) != rows[point];

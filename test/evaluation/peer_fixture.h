@@ -15,11 +15,11 @@ namespace pcl_normal_smoothing::evaluation
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/** Points spread evenly over a sphere of radius 1, in random order, moved by noise of that standard deviation. */
+/** Evenly spread points on a unit sphere, in random order, with noise of standard deviation \a sigma. */
 Points
 noisySphere (std::size_t count, double sigma);
 
-/** A run with a work folder that must be empty again at the end. */
+/** A run whose work folder must be empty again at the end. */
 class PeerTest : public testing::Test
 {
 protected:
@@ -27,11 +27,11 @@ protected:
 
   ~PeerTest () override;
 
-  /** A shell program in the place of the one that holds the peers; it is given method, input, output and values. */
+  /** Replaces the program that holds the peers by a shell script, called with method, input, output and values. */
   void
   useWorker (const std::string& script);
 
-  /** A path for files of the test itself. */
+  /** Path for a file of the test itself. */
   std::string
   file (const std::string& name) const
   {

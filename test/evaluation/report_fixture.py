@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small studies with known numbers, as pcl_smoothing_study would write them."""
+"""Small studies with known numbers, in the format of pcl_smoothing_study."""
 
 import csv
 import itertools
@@ -52,7 +52,7 @@ def sweep(model, noise, area, curvature, ratio):
 
 
 def write_wave(path, height=0.0, ripple=0.0):
-    """A sheet of 81 points with a bump, as ASCII PLY; the ripple stands for noise."""
+    """Writes a sheet of 81 points with a bump, as ASCII PLY; the ripple stands for noise."""
     side = range(9)
     with open(path, "w", encoding="utf-8") as file:
         file.write("ply\nformat ascii 1.0\nelement vertex 81\nproperty float x\nproperty float y\nproperty float z\n")
@@ -86,8 +86,8 @@ def write_study(folder, rows, models=("double_torus",)):
 
 
 def typical_rows(folder):
-    """One model, both noises: ours on two seeds, the whole sweep for GN alone, RIMLS, a peer that failed and one that is
-    absent; some clouds kept."""
+    """One model with both noises: ours for two seeds, the whole sweep for GN only, RIMLS, a peer that failed and one that is
+    absent; some clouds are kept."""
     clouds = os.path.join(folder, "clouds", "case")
     os.makedirs(clouds, exist_ok=True)
     write_wave(os.path.join(clouds, "noisy.ply"), ripple=0.1)

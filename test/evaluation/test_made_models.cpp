@@ -82,7 +82,7 @@ TEST (MadeModels, AreAsLargeAsTheirShapes)
   EXPECT_NEAR (tools::area (madeModel ("sphere").mesh), 4 * pi, 0.01);
   EXPECT_NEAR (tools::area (madeModel ("two_sheets").mesh), 2, 1e-9);
   EXPECT_NEAR (tools::area (madeModel ("two_sheets_apart").mesh), 2, 1e-9);
-  // The L, less what the rounded corner cuts off, with what the fillet adds, without the bore.
+  // The L shape, less the material outside the rounded corner, plus the fillet, less the bore.
   const double corner = 1 - pi / 4;
   const double section = 1.4 * 0.45 + 0.5 * 0.65 - 0.04 * corner + 0.0225 * corner - pi * 0.11 * 0.11;
   EXPECT_NEAR (volumeOf (madeModel ("csg_part").mesh), 0.4 * section, 0.4 * 1e-3);
@@ -117,7 +117,7 @@ TEST (MadeModels, SheetsAreAsCloseAsTheirPoints)
   EXPECT_NEAR (madeModel ("two_sheets_apart").surface_distance ({0.5, 0.5, 0.3 * gap}), 0.3 * gap, 1e-12);
   EXPECT_NEAR (madeModel ("two_sheets_apart").surface_distance ({0.5, 0.5, 1.8 * gap}), 0.2 * gap, 1e-12);
   const auto normals = tools::vertexNormals (model.mesh);
-  EXPECT_LT (normals.front ().z (), -0.999); // away from each other
+  EXPECT_LT (normals.front ().z (), -0.999); // the sheets' normals point away from each other
   EXPECT_GT (normals.back ().z (), 0.999);
 }
 
@@ -149,7 +149,7 @@ TEST (Profiles, DistanceToAnExtrusion)
   EXPECT_NEAR (distanceToExtrusion (square, 2, {0.2, 0.5, 1}), 0.2, 1e-12);
   EXPECT_NEAR (distanceToExtrusion (square, 2, {0.5, 0.5, 2.7}), 0.7, 1e-12);
   EXPECT_NEAR (distanceToExtrusion (square, 2, {1.3, 1.4, 0.7}), 0.5, 1e-12);
-  EXPECT_NEAR (distanceToExtrusion (square, 2, {1.2, 1.3, -0.6}), 0.7, 1e-12); // 2, 3, 6 tenths
+  EXPECT_NEAR (distanceToExtrusion (square, 2, {1.2, 1.3, -0.6}), 0.7, 1e-12); // offsets of 2, 3 and 6 tenths
 }
 
 TEST (ImplicitSurfaces, DistanceToASphereAndATorus)
@@ -177,7 +177,7 @@ TEST (ImplicitSurfaces, PointsLiftedAlongTheNormal)
     const auto normals = tools::vertexNormals (model.mesh);
     const double edge = tools::meanEdgeLength (model.mesh);
     for (std::size_t i = 0; i < model.mesh.vertices.size (); i += 97)
-      for (const double lift : {-0.3, 0.3}) // the mesh's normals are only close to the surface's
+      for (const double lift : {-0.3, 0.3}) // tolerance: the mesh's normals only approximate the surface's
         EXPECT_NEAR (model.surface_distance (model.mesh.vertices[i] + lift * edge * normals[i]) / edge, 0.3, 0.04)
             << name << " " << i;
   }

@@ -21,7 +21,7 @@ using namespace pcl_normal_smoothing::evaluation;
 
 namespace
 {
-/** A flat square, its points lifted by as many mean edge lengths. */
+/** The vertices of a flat square, lifted by \a height mean edge lengths. */
 tools::Points
 lifted (const Model& model, double height)
 {
@@ -72,7 +72,7 @@ TEST (Measures, MeanRmsAndMaximumDiffer)
 {
   const Model square = squareModel ();
   Evaluator evaluator (square);
-  tools::Points points = square.mesh.vertices; // a quarter of them 1, the rest 0 above it
+  tools::Points points = square.mesh.vertices; // a quarter of them 1 above the square, the others on it
   for (std::size_t i = 0; i < points.size (); i += 4)
     points[i].z () += evaluator.meanEdge ();
   evaluator.setNoisy (points);
@@ -105,7 +105,7 @@ TEST (Measures, PointsThatClump)
   Evaluator evaluator (square);
   evaluator.setNoisy (square.mesh.vertices);
   tools::Points points = square.mesh.vertices;
-  for (std::size_t i = 21; i < 361; i += 60) // six of them come near their neighbours: 3 % are close to another
+  for (std::size_t i = 21; i < 361; i += 60) // six points move close to neighbours: 3 % are then close to another
     points[i] = points[i + 1] + 0.1 * (points[i] - points[i + 1]);
   EXPECT_NEAR (evaluator.measure (points, {}, MeasureSet::ALL).spacing_p01, 0.1, 1e-5);
 }
@@ -115,15 +115,15 @@ TEST (Measures, EdgesOfACube)
   const Model cube = cubeModel ();
   Evaluator evaluator (cube);
   const auto near = verticesNearSharpEdges (cube.mesh, 30, 0.5 * evaluator.meanEdge ());
-  EXPECT_EQ (near.size (), 12u * 9 + 8); // nine between the ends of every edge, and the corners
-  std::size_t within = 0;                // of an edge: two coordinates are close to a face
+  EXPECT_EQ (near.size (), 12u * 9 + 8); // nine inner vertices per edge, and the corners
+  std::size_t within = 0;                // near an edge: two coordinates are close to a face
   for (const Eigen::Vector3d& p : cube.mesh.vertices)
     within += (p.array () <= 0.11 || p.array () >= 0.89).count () >= 2 ? 1 : 0;
   EXPECT_EQ (verticesNearSharpEdges (cube.mesh, 30, 0.11).size (), within);
   EXPECT_GT (within, near.size ());
   EXPECT_TRUE (verticesNearSharpEdges (cube.mesh, 100, 1).empty ());
 
-  // Away from the edges 0.3, on half of the edges' points 0.2, on the others 0.
+  // Lifted by 0.3 away from the edges; on the edges, every other point by 0.2 and the rest not at all.
   tools::Points points = cube.mesh.vertices;
   const auto normals = tools::vertexNormals (cube.mesh);
   std::vector<double> lifts (points.size (), 0.3);
@@ -153,7 +153,7 @@ TEST (Measures, AgreeWithTheToolsOwn)
   EXPECT_NEAR (measures.variation_error_15, tools::variationError (noisy, model.mesh.vertices, 15), 1e-12);
   EXPECT_NEAR (measures.variation_error_21, tools::variationError (noisy, model.mesh.vertices, 21), 1e-12);
   EXPECT_DOUBLE_EQ (measures.area_error, tools::areaError (noisy, model.mesh));
-  // Half the mean of |N(0, 1)| along a random direction, and the whole of it in length.
+  // The mean of the length is that of |N(0, 1)|; that of its component along the normal is half of it.
   EXPECT_NEAR (measures.exact_mean, 0.2 * std::sqrt (2 / 3.14159265) / 2, 0.003);
   EXPECT_NEAR (measures.p2p_mean, 0.2 * std::sqrt (2 / 3.14159265), 0.006);
   const Measures paper = evaluator.measure (noisy, {}, MeasureSet::PAPER);

@@ -50,12 +50,12 @@ TEST_F (MeshModels, LoseWhatIsNoSurface)
 {
   tools::Mesh square = squareMesh (10);
   const auto expected = square;
-  square.vertices.insert (square.vertices.begin () + 3, Eigen::Vector3d (7, 7, 7)); // all corners behind it move by one
+  square.vertices.insert (square.vertices.begin () + 3, Eigen::Vector3d (7, 7, 7)); // shifts all later indices by one
   for (auto& t : square.triangles)
     for (std::uint32_t& corner : t)
       corner += corner >= 3 ? 1 : 0;
   square.triangles.push_back ({5, 5, 6});
-  square.triangles.push_back ({5, 6, 7}); // on a line
+  square.triangles.push_back ({5, 6, 7}); // three collinear vertices
   const Model model = load (square);
   EXPECT_EQ (model.mesh.vertices, expected.vertices);
   EXPECT_EQ (model.mesh.triangles, expected.triangles);
@@ -94,7 +94,7 @@ TEST_F (MeshModels, ThatCannotBeStudied)
   tools::Mesh flat = squareMesh (10);
   for (Eigen::Vector3d& vertex : flat.vertices)
     vertex.y () = 0;
-  EXPECT_THROW (load (flat), core::Error); // nothing is left
+  EXPECT_THROW (load (flat), core::Error); // no triangle remains
   EXPECT_THROW (load (squareMesh (4)), core::Error);
   EXPECT_EQ (load (squareMesh (4), 1).mesh.vertices.size (), 49u);
 }

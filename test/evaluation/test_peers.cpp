@@ -10,7 +10,7 @@ namespace pcl_normal_smoothing::evaluation
 {
 namespace
 {
-/** A gentle setting of each, which leaves every point near its place. */
+/** A gentle setting for each peer, which leaves every point near its place. */
 const std::vector<PeerSetting> gentle {
     {"APSS", "", false, {{"filter scale", 3}, {"spherical parameter", 1}}},
     {"RIMLS", "", false, {{"filter scale", 3}, {"sharpness", .75}}},
@@ -38,7 +38,7 @@ class Peers : public PeerOrder, public testing::WithParamInterface<PeerSetting>
 {};
 
 constexpr std::size_t count = 2000;
-/** Distance of neighbors on the sphere of that many points. */
+/** Distance between neighbours of that many points on the sphere. */
 const double spacing = std::sqrt (4 * M_PI / count);
 
 TEST_P (Peers, KeepTheOrderOfThePoints)
@@ -47,7 +47,7 @@ TEST_P (Peers, KeepTheOrderOfThePoints)
     GTEST_SKIP () << *why;
   const Points noisy = noisySphere (count, 0.2 * spacing);
   const Points smoothed = smooth (noisy, GetParam ());
-  // Were any order lost, points would be as far apart as random points of a sphere: 1.33 on average.
+  // If the order were lost, points would be as far apart as random points of a sphere: 1.33 on average.
   std::size_t far_away = 0;
   double moved = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -73,12 +73,12 @@ TEST_P (Peers, AreTheSameAtAnyPlaceAndScale)
     std::vector<double> differences;
     for (std::size_t i = 0; i < noisy.size (); ++i)
       differences.push_back (((result[i] - utm) / 1000 - near[i]).norm ());
-    // The median: a neighbor on the edge of a radius may be in or out.
+    // The median, as a neighbour at the limit of a radius may be in or out.
     std::nth_element (differences.begin (), differences.begin () + 250, differences.end ());
     return differences[250];
   };
-  // MeshLab's APSS gives another result for the same points once in sixty times; a place that matters does so each
-  // time.
+  // About once in sixty times, MeshLab's APSS gives different results for the same points; a dependence on the place
+  // would show every time.
   double least = difference ();
   for (int again = 0; again < 2 && least >= 1e-4; ++again)
     least = std::min (least, difference ());

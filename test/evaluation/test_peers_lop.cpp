@@ -14,7 +14,7 @@ theta (double r, double h)
   return std::exp (-r * r / std::pow (h / 4, 2));
 }
 
-/** The projection of points on a line, written down once more from the paper. */
+/** The projection for points on a line, written independently from the paper. */
 std::vector<double>
 projectOnLine (const std::vector<double>& points, const LopParameters& parameters)
 {
@@ -53,7 +53,7 @@ alongX (const std::vector<double>& values)
 
 TEST (Lop, FirstIterationOfTwoPointsByHand)
 {
-  // h = 4 makes theta (1) = 1/e: each goes 1/e / (1 + 1/e) = 1 / (1 + e) of the way to the other.
+  // h = 4 makes theta (1) = 1/e: each point moves 1/e / (1 + 1/e) = 1 / (1 + e) of the way to the other.
   const Points result = locallyOptimalProjection (alongX ({0, 1}), {4, 0.25, 1});
   EXPECT_NEAR (1 / (1 + M_E), result[0].x (), 1e-12);
   EXPECT_NEAR (1 - 1 / (1 + M_E), result[1].x (), 1e-12);
@@ -61,9 +61,9 @@ TEST (Lop, FirstIterationOfTwoPointsByHand)
 
 TEST (Lop, SecondIterationOfTwoPointsByHand)
 {
-  // From a = 1 / (1 + e): theta (a) / a = 3.458838 back to its own place, theta (1 - a) / (1 - a) = 0.801567 to the
-  // other, so the attraction is (0.585993 - 0.930224) / 4.260405 = -0.080798; the repulsion is 0.25 (2a - 1) =
-  // -0.115529.
+  // Starting from a = 1 / (1 + e): the weight towards its original position is theta (a) / a = 3.458838, towards the
+  // other theta (1 - a) / (1 - a) = 0.801567. So the attraction is (0.585993 - 0.930224) / 4.260405 = -0.080798, and
+  // the repulsion is 0.25 (2a - 1) = -0.115529.
   const Points result = locallyOptimalProjection (alongX ({0, 1}), {4, 0.25, 2});
   EXPECT_NEAR (0.268941 - 0.080798 - 0.115529, result[0].x (), 3e-6);
 }

@@ -12,7 +12,7 @@
 #include <limits>
 #include <thread>
 
-// What peers may do, played by shell programs in their place.
+// Misbehaviour of peers, simulated by shell scripts.
 
 namespace pcl_normal_smoothing::evaluation
 {
@@ -40,7 +40,7 @@ protected:
   }
 };
 
-/** Gone, or about to be collected by its parent. */
+/** Whether the process is gone, or is a zombie that its parent has yet to collect. */
 bool
 hasEnded (pid_t process)
 {
@@ -127,7 +127,7 @@ TEST_F (PeerTrouble, EndsWithTheStudyThatStartedIt)
   study.send (SIGKILL);
   study.wait ();
   EXPECT_TRUE (hasEnded (child));
-  std::filesystem::remove_all (run.work_folder); // killed, it could not tidy up
+  std::filesystem::remove_all (run.work_folder); // the killed study could not clean up
 }
 
 TEST_F (PeerTrouble, Output)
@@ -136,7 +136,7 @@ TEST_F (PeerTrouble, Output)
   EXPECT_EQ ("smooth.points has 8 bytes, which are no whole points", failureOf ("echo garbage >\"$3\""));
   EXPECT_EQ ("gave 2 points for 3", failureOf ("head -c 48 \"$2\" >\"$3\""));
   EXPECT_EQ ("gave 0 points for 3", failureOf (": >\"$3\""));
-  // 0xff in all bytes is a NaN.
+  // Eight bytes of 0xff are a NaN.
   EXPECT_EQ ("gave a point that is not finite, number 2",
              failureOf ("{ head -c 64 \"$2\"; printf '\\377\\377\\377\\377\\377\\377\\377\\377'; } >\"$3\""));
 }

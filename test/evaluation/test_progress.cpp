@@ -21,11 +21,11 @@ TEST (Progress, GoesByWhatTheLikeHasTaken)
   EXPECT_EQ (progress.secondsLeft (), 0);
   for (int i = 0; i < 4; ++i)
     progress.plan (Work::SWEEP, 1000);
-  EXPECT_GT (progress.secondsLeft (), 0); // a guess
+  EXPECT_GT (progress.secondsLeft (), 0); // a guess, as none is done yet
   std::this_thread::sleep_for (std::chrono::milliseconds (40));
   progress.done (Work::SWEEP, 1000, "one");
   EXPECT_GT (progress.secondsLeft (), 0.1);
-  EXPECT_LT (progress.secondsLeft (), 3); // 3 x 0.04 on an idle machine
+  EXPECT_LT (progress.secondsLeft (), 3); // about 3 x 0.04 on an idle machine
   const double before = progress.secondsLeft ();
   progress.skip (Work::SWEEP, 1000);
   EXPECT_NEAR (progress.secondsLeft (), before * 2 / 3, 1e-9);

@@ -37,7 +37,7 @@ SECTIONS = "summary run results pictures figures table1 honesty gaps".split()
 
 
 def make_page(folder):
-    """Runs the report. Returns the page as it is, and as text."""
+    """Runs the report. Returns the page as HTML and as text."""
     done = subprocess.run(
         [sys.executable, os.path.join(REPORT, "make_report.py"), folder, "-tools", TOOLS],
         capture_output=True,
@@ -56,7 +56,7 @@ class Fixture(unittest.TestCase):
     @unittest.skipUnless(STUDY, "the study is not built")
     def test_has_the_columns_of_the_study(self):
         with tempfile.TemporaryDirectory() as folder:
-            missing = os.path.join(folder, "missing.ply")  # a row that failed is enough
+            missing = os.path.join(folder, "missing.ply")  # a failed row is enough to get the columns
             words = [STUDY, folder, missing, "-models", "none", "-peers", "0", "-sweep", "0", "-noise", "GN", "-seeds", "1"]
             subprocess.run(words, capture_output=True, check=True)
             with open(os.path.join(folder, "rows.csv"), newline="", encoding="utf-8") as file:
@@ -81,7 +81,7 @@ class PrintedTable(unittest.TestCase):
         curvature = [float(row["E_k_1e-3"]) for row in self.rows]
         self.assertEqual((min(area), max(area)), (0.02, 141.30))
         self.assertEqual((min(curvature), max(curvature)), (0.05, 0.78))
-        # The sums of the printed columns: a digit that slips is seen.
+        # The sums of the printed columns reveal typing errors.
         self.assertAlmostEqual(sum(area), 834.11, places=2)
         self.assertAlmostEqual(sum(curvature), 11.12, places=2)
 

@@ -65,7 +65,7 @@ TEST (Rows, AsJsonAndBack)
   other.seed = 2;
   EXPECT_NE (other.key (), row.key ());
   other = row;
-  other.status = "ok"; // the same question
+  other.status = "ok"; // still the same question
   EXPECT_EQ (other.key (), row.key ());
 }
 
@@ -84,11 +84,11 @@ TEST_F (ResultFiles, AreTakenUp)
   Results second (folder_);
   ASSERT_EQ (second.rows ().size (), 2u);
   EXPECT_TRUE (second.answered (someRow ("PTU7").key ()));
-  EXPECT_FALSE (second.answered (failed.key ())); // to be tried again
+  EXPECT_FALSE (second.answered (failed.key ())); // failed, so it is to be tried again
   EXPECT_FALSE (second.answered (someRow ("PTU21").key ()));
   second.put (someRow ("PTU15"));
   second.save ();
-  EXPECT_EQ (second.rows ().size (), 2u); // in the place of the one that failed
+  EXPECT_EQ (second.rows ().size (), 2u); // it replaced the failed row
   const std::string line = toCsv (someRow ("PTU7")) + "\r\n", other = toCsv (someRow ("PTU15")) + "\r\n";
   EXPECT_EQ (contentOf (path ("rows.csv")), csvHeader () + "\r\n" + line + other);
 }

@@ -22,7 +22,7 @@ protected:
   SetUp () override
   {
     tools::Mesh mesh = squareMesh (16);
-    for (Eigen::Vector3d& vertex : mesh.vertices) // a roof
+    for (Eigen::Vector3d& vertex : mesh.vertices) // makes it a roof
       vertex.z () = 0.5 - std::abs (vertex.x () - 0.5);
     writeText (path ("roof.off"), asOff (mesh));
   }
@@ -39,7 +39,7 @@ protected:
     return run ("pcl_smoothing_study " + path ("study") + " " + rest);
   }
 
-  /** Without what depends on the clock. */
+  /** The rows without the values that depend on the clock. */
   static nlohmann::json
   withoutSeconds (nlohmann::json all)
   {
@@ -56,7 +56,7 @@ TEST_F (StudyTool, OneMesh)
   ASSERT_EQ (ending.status, 0) << ending.err;
   EXPECT_NE (ending.out.find ("1096 rows, 0 failed, 0 absent"), std::string::npos) << ending.out;
   const nlohmann::json all = rows ();
-  ASSERT_EQ (all.size (), 2u * (2 * 4 + 540)); // the sweep for the first seed
+  ASSERT_EQ (all.size (), 2u * (2 * 4 + 540)); // the sweep runs for the first seed only
   std::size_t clouds = 0;
   for (const nlohmann::json& row : all) {
     EXPECT_EQ (row.at ("status"), "ok");
@@ -71,7 +71,7 @@ TEST_F (StudyTool, OneMesh)
       ++clouds;
     }
   }
-  EXPECT_EQ (clouds, 2u * (4 + 2)); // the noisy one, three presets, best and worst of the sweep
+  EXPECT_EQ (clouds, 2u * (4 + 2)); // the noisy cloud, three presets, best and worst of the sweep
   EXPECT_NEAR (all[0].at ("p2s_ratio").get<double> (), 1, 1e-12);
   EXPECT_NEAR (all[0].at ("p2p_mean").get<double> (), 0.1 * 0.798, 0.02);
   EXPECT_TRUE (std::filesystem::exists (path ("study/models/roof.ply")));
@@ -81,7 +81,7 @@ TEST_F (StudyTool, GoesOnWhereItWasKilled)
 {
   const std::string command = " " + path ("roof.off") + " -models none -peers 0 -noise GN -seeds 1";
   ASSERT_EQ (run ("pcl_smoothing_study " + path ("whole") + command).status, 0);
-  // Killed while it works, again and again, until it is done by itself.
+  // Kill it again and again while it works, until it ends by itself.
   int kills = 0;
   for (int milliseconds = 60;; milliseconds *= 2) {
     RunningTool tool ({STUDY_FOLDER "/pcl_smoothing_study", path ("study"), path ("roof.off"), "-models", "none",
@@ -95,7 +95,7 @@ TEST_F (StudyTool, GoesOnWhereItWasKilled)
     ++kills;
     EXPECT_TRUE (ending.status == 128 + SIGKILL || ending.status == 128 + SIGINT) << ending.err;
     const bool begun = std::filesystem::exists (path ("study/rows.json"));
-    EXPECT_LE (begun ? rows ().size () : 0, 544u); // and a complete file
+    EXPECT_LE (begun ? rows ().size () : 0, 544u); // and the file is complete
   }
   EXPECT_GT (kills, 0);
   EXPECT_EQ (withoutSeconds (rows ()), withoutSeconds (rows ("whole")));
@@ -109,7 +109,7 @@ TEST_F (StudyTool, RowsThatAreThereAreKept)
   const nlohmann::json after = rows ();
   ASSERT_EQ (after.size (), 1088u);
   for (std::size_t i = 0; i < before.size (); ++i)
-    EXPECT_EQ (after[i], before[i]); // with its seconds: not computed again
+    EXPECT_EQ (after[i], before[i]); // including the seconds, so it was not computed again
 }
 
 TEST_F (StudyTool, BadMeshesAreRowsThatFailed)
@@ -143,11 +143,11 @@ TEST_F (StudyTool, Peers)
     }
   EXPECT_GT (failed, 0u);
 
-  ASSERT_EQ (study (command).status, 0); // those that failed are tried again
+  ASSERT_EQ (study (command).status, 0); // the failed rows are tried again
   std::map<std::string, int> seeds;
   for (const nlohmann::json& row : rows ()) {
     EXPECT_NE (row.at ("status"), "failed") << row;
-    if (row.at ("family") != "peer" || row.at ("status") != "ok") // absent: MeshLab is not everywhere
+    if (row.at ("family") != "peer" || row.at ("status") != "ok") // absent: MeshLab is not installed everywhere
       continue;
     ++seeds[row.at ("name").get<std::string> ()];
     EXPECT_NE (row.at ("parameters").get<std::string> ().find (" (default)"), std::string::npos) << row;

@@ -25,7 +25,7 @@ noisyTorus ()
   return points;
 }
 
-/** What the class makes of the torus. */
+/** The result of the class NormalSmoothing for the torus. */
 pcl::PointCloud<pcl::PointNormal>
 smoothedByTheClass (const Combination& combination)
 {
@@ -79,7 +79,7 @@ TEST (Combinations, AreThePapers540)
 TEST (Sweep, GivesTheBitsOfTheClass)
 {
   const std::vector<Combination> all = allCombinations ();
-  std::vector<Combination> some; // of six methods, with every estimator, weight and k: what shares much, and little
+  std::vector<Combination> some; // from different methods: some share much work, some little
   for (std::size_t method = 0; method < all.size (); method += 5 * 20)
     for (const std::size_t i : {0, 2, 5, 19})
       some.push_back (all[method + i]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // usage: large_cloud output.pcd points
-// Writes a noisy wave of as many points, a line of the scanner after the other, without holding them in memory.
+// Writes a noisy wave of this many points, in scan lines, without holding them in memory.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -10,7 +10,7 @@
 
 namespace
 {
-/** In [0, 1), of the number alone. */
+/** A number in [0, 1) that depends only on \a i. */
 float
 noise (std::uint64_t i)
 {

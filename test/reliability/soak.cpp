@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // usage: soak [clouds]      default 1000
-// Smooths one cloud after another in one process, good ones and bad, and looks at its memory: after the first tenth it
-// must not grow by more than 3 %. Exit status 1 where it does.
+// Smooths many clouds in one process, valid and invalid ones, and watches its memory, which must not grow by more than
+// 3 % after the first tenth. Exit status 1 if it does, or if a cloud gives a wrong outcome.
 #include "shapes.h"
 
 #include <pcl_normal_smoothing/normal_smoothing.h>
@@ -23,9 +23,9 @@ namespace
 using namespace pcl_normal_smoothing;
 using Cloud = pcl::PointCloud<pcl::PointNormal>;
 
-constexpr int cycle = 60; // once through all sizes and presets
+constexpr int cycle = 60; // number of clouds in which all sizes and presets occur
 
-/** Without what the heap could give back and keeps: how much that is depends on which thread came first. */
+/** After releasing unused heap memory: how much the heap keeps depends on the order in which threads start. */
 double
 residentMegabytes ()
 {
@@ -35,7 +35,7 @@ residentMegabytes ()
   return static_cast<double> (resident) * static_cast<double> (sysconf (_SC_PAGESIZE)) / 1e6;
 }
 
-/** Sizes come round again every 20 clouds; one of them has two points, one is cancelled. */
+/** Sizes repeat every 20 clouds; of these, one has only two points, and one run is cancelled. */
 Cloud::Ptr
 makeCloud (int number)
 {
@@ -49,7 +49,7 @@ makeCloud (int number)
   return cloud;
 }
 
-/** \return whether it ended as it should */
+/** \return whether it ended as expected */
 bool
 smooth (NormalSmoothing<pcl::PointNormal>& smoothing, int number)
 {
@@ -75,7 +75,7 @@ main (int argc, char** argv)
     std::printf ("usage: soak [clouds]: at least %d, one of each kind\n", cycle);
     return 1;
   }
-  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // errors are part of it
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // errors are expected
   NormalSmoothing<pcl::PointNormal> smoothing;
   std::vector<double> memory;
   for (int number = 0; number < count; ++number) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // usage: stage_checksums threads
-// Prints a checksum of what every stage makes of a cloud, a line each. check_same_bits.cmake runs it under different
-// numbers and schedules of threads, and compares.
+// Prints a checksum of the result of every stage, one per line. check_same_bits.cmake runs it with different numbers of
+// threads and schedules, and compares.
 #include "shapes.h"
 
 #include <pcl_normal_smoothing/bilateral_normal_filter.h>
@@ -64,7 +64,7 @@ print (const char* stage, const Cloud& cloud)
   checksum.print (stage);
 }
 
-/** A noisy torus with places that are hard: points twice, not finite, alone. */
+/** A noisy torus with difficult points: duplicate, non-finite and isolated ones. */
 Cloud::Ptr
 hardCloud ()
 {
@@ -158,7 +158,7 @@ printWhole (const Cloud::Ptr& cloud)
     const Cloud whole = filtered (smoothing, cloud);
     print ("smoothing", whole);
 
-    // The input split by indices: the parts put together are the whole.
+    // The input is split by indices; the results of the parts must add up to the whole.
     Cloud together = *cloud;
     for (std::size_t part = 0; part < 3; ++part) {
       auto indices = std::make_shared<pcl::Indices> ();
@@ -173,7 +173,7 @@ printWhole (const Cloud::Ptr& cloud)
   }
 }
 
-/** Without points that stand twice: search objects may choose between ties as they like. */
+/** Compares search objects, on a cloud without duplicates, as they may break ties arbitrarily. */
 void
 printSearches ()
 {

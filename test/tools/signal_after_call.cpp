@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loaded before a tool (LD_PRELOAD): raises SIGTERM as soon as the call that SIGNAL_AFTER names has made something, the
-// worst moment for a tool that has yet to note what it must remove.
+// Preloaded into a tool (LD_PRELOAD): raises SIGTERM once the call that SIGNAL_AFTER names has made something, the
+// worst moment for a tool that has yet to record what to remove.
 #include <dlfcn.h>
 #include <sys/stat.h>
 

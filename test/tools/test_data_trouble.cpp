@@ -27,7 +27,7 @@ header (const std::string& fields, std::size_t points)
 class DataTrouble : public ToolTest
 {
 protected:
-  /** Status 3, a message that names the file and holds \a word, no output. */
+  /** Expects status 3, a message that names the file and contains \a word, and no output. */
   void
   expectRefused (const std::string& command, const std::string& word)
   {

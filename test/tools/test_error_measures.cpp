@@ -15,7 +15,7 @@ namespace
 {
 using Points = std::vector<Eigen::Vector3d>;
 
-/** The unit cube, its normals outwards. */
+/** The unit cube with outward normals. */
 tools::Mesh
 makeCube ()
 {
@@ -39,7 +39,7 @@ makeBumps (double height)
   return points;
 }
 
-/** The surface variation of point \a i, slowly. */
+/** The surface variation of point \a i, computed by brute force. */
 double
 variationAt (const Points& points, std::size_t i, std::size_t k)
 {
@@ -108,8 +108,8 @@ TEST (ErrorMeasures, AnglesToTheNormalsOfACube)
   Points normals;
   for (const Eigen::Vector3d& n : expected)
     normals.push_back (normals.size () % 2 ? -n : n);
-  EXPECT_NEAR (tools::meanAngle (normals, cube), 0, 1e-12); // whatever the signs
+  EXPECT_NEAR (tools::meanAngle (normals, cube), 0, 1e-12); // signs do not matter
   for (std::size_t i = 0; i < 8; ++i)
     normals[i] = i < 4 ? expected[i].unitOrthogonal () : Eigen::Vector3d (0, 0, 0);
-  EXPECT_NEAR (tools::meanAngle (normals, cube), 90, 1e-9); // of those that there are
+  EXPECT_NEAR (tools::meanAngle (normals, cube), 90, 1e-9); // only of the normals that are not zero
 }

@@ -12,7 +12,7 @@ namespace
 {
 const std::vector<std::string> other_fields {"rgba", "intensity", "label", "quality", "histogram", "stamp"};
 
-/** All but the positions of the finite points is the same, and those have moved. */
+/** Expects that nothing has changed but the positions of the finite points, and that these have moved. */
 void
 expectSmoothed (const tools::CloudFile& before, const tools::CloudFile& after)
 {
@@ -32,13 +32,13 @@ expectSmoothed (const tools::CloudFile& before, const tools::CloudFile& after)
       moved += positionOf (before, i) != positionOf (after, i);
   EXPECT_GT (moved, 290u);
   EXPECT_EQ (before.origin.head<3> (), after.origin.head<3> ());
-  EXPECT_LT (before.orientation.angularDistance (after.orientation), 1e-3f); // 0 but where a matrix lies between
+  EXPECT_LT (before.orientation.angularDistance (after.orientation), 1e-3f); // 0 unless a format stores a matrix
 }
 
 class FieldsKept : public ToolTest
 {
 protected:
-  /** Saves the wave with PCL, and takes what PCL reads of it: it rounds the viewpoint. */
+  /** Saves the wave with PCL and returns what PCL reads from the file, as PCL rounds the viewpoint. */
   tools::CloudFile
   savedWave (const std::string& name)
   {
@@ -55,7 +55,7 @@ TEST_F (FieldsKept, InEveryKindOfPcd)
     succeed ("pcl_normal_smoothing wave.pcd " + format + ".pcd -preset paper -format " + format);
     expectSmoothed (wave, readPcdFile (path (format + ".pcd")));
   }
-  // And read again: the same points, whatever they were written as.
+  // Reading these files again gives the same points, whatever the format.
   for (const std::string format : {"ascii", "compressed"}) {
     succeed ("pcl_normal_smoothing " + format + ".pcd again.pcd -normal_iterations 0 -point_iterations 0");
     EXPECT_EQ (bytesOf (readPcdFile (path ("again.pcd")), "z"), bytesOf (readPcdFile (path ("binary.pcd")), "z"));
@@ -103,7 +103,7 @@ TEST_F (FieldsKept, PclReadsThePly)
 TEST_F (FieldsKept, FromPlyOfPcl)
 {
   tools::CloudFile wave = makeWave ();
-  wave.cloud->fields.erase (wave.cloud->fields.begin () + 7); // the histogram: PCL's writer garbles it
+  wave.cloud->fields.erase (wave.cloud->fields.begin () + 7); // remove the histogram, which PCL's writer garbles
   for (const bool binary : {false, true}) {
     pcl::PLYWriter writer;
     ASSERT_EQ (writer.write (path ("wave.ply"), *wave.cloud, wave.origin, wave.orientation, binary, true), 0);
@@ -121,7 +121,7 @@ TEST_F (FieldsKept, DoublePositionsFarAway)
 {
   savePcd (makeWave (Field::FLOAT64), path ("near.pcd"));
   savePcd (makeWave (Field::FLOAT64, {5e6, -4e6, 3e3}), path ("far.pcd"));
-  for (const std::string name : {"near", "far"}) // with a noise that makes it move
+  for (const std::string name : {"near", "far"}) // with enough noise for points to move
     succeed ("pcl_normal_smoothing " + name + ".pcd " + name + "_out.pcd -noise_sigma 0.02");
   const tools::CloudFile near = readPcdFile (path ("near_out.pcd")), far = readPcdFile (path ("far_out.pcd"));
   EXPECT_EQ (tools::findField (*far.cloud, "x")->datatype, Field::FLOAT64);
@@ -139,7 +139,7 @@ TEST_F (FieldsKept, SavedNormals)
   expectSmoothed (wave, out);
   const std::string before = bytesOf (out, "normal_z");
   EXPECT_EQ (before.size (), 300 * sizeof (float));
-  succeed ("pcl_normal_smoothing out.pcd kept.pcd"); // not asked for: not touched
+  succeed ("pcl_normal_smoothing out.pcd kept.pcd"); // normals were not requested, so they stay as they are
   EXPECT_EQ (bytesOf (readPcdFile (path ("kept.pcd")), "normal_z"), before);
   succeed ("pcl_normal_smoothing out.pcd new.pcd -save_normals 1 -normals pca -normal_iterations 0");
   const tools::CloudFile overwritten = readPcdFile (path ("new.pcd"));

@@ -21,7 +21,7 @@ protected:
     savePcd (makeWave (), path ("wave.pcd"));
   }
 
-  /** Status 2, a message that names the file and holds \a word, and no file that was not there. */
+  /** Expects status 2, a message that names the file and contains \a word, and no new file. */
   void
   expectRefused (const std::string& command, const std::string& file, const std::string& word)
   {
@@ -41,7 +41,7 @@ protected:
   }
 };
 
-/** A header that claims \a points points. */
+/** A PCD header that claims to have \a points points. */
 std::string
 pcd (const std::string& points, const std::string& data)
 {
@@ -84,7 +84,7 @@ TEST_F (FileTrouble, PcdThatLies)
   expectUnreadable ("a.pcd", pcd ("1", "ascii\n1 2 three\n"), "three");
   expectUnreadable ("a.pcd", pcd ("1", "ascii\n1 2 3 4\n"), "more values");
   expectUnreadable ("a.pcd", pcd ("1", "base64\nAAAA\n"), "DATA");
-  std::string sizes (8, '\0'); // compressed and uncompressed
+  std::string sizes (8, '\0'); // compressed and uncompressed size
   expectUnreadable ("a.pcd", pcd ("1000", "binary_compressed\n"), "truncated");
   expectUnreadable ("a.pcd", pcd ("1000", "binary_compressed\n" + sizes), "claims");
   const std::uint32_t lie[2] = {100, 12000};

@@ -13,11 +13,11 @@ namespace
 {
 constexpr int side = 30;
 
-/** Files that other programs write in ways of their own. */
+/** Files as other programs write them. */
 class ForeignFiles : public ToolTest
 {
 protected:
-  /** A noisy wave in whole numbers, ten a spacing, and with each point a number of its own. */
+  /** A noisy wave with integer coordinates, ten units per spacing; each line ends with a label. */
   static std::string
   points (const std::string& label = " 7")
   {
@@ -49,7 +49,7 @@ protected:
     return text + "property uchar label\n";
   }
 
-  /** \return what the tool makes of a file */
+  /** \return the tool's result for a file with this content */
   tools::CloudFile
   smooth (const std::string& name, const std::string& content) const
   {
@@ -58,7 +58,7 @@ protected:
     return readPcdFile (path ("out.pcd"));
   }
 
-  /** As from floats called x, y, z, whatever type \a file has. */
+  /** Expects the same result as from floats named x, y, z, with coordinates of this \a type. */
   void
   expectTheSame (const tools::CloudFile& file, std::uint8_t type) const
   {
@@ -71,7 +71,7 @@ protected:
       EXPECT_LT ((positionOf (file, i) - positionOf (usual, i)).norm (), 1e-3) << i;
       moved += std::abs (positionOf (file, i).z () - std::round (positionOf (file, i).z ()));
     }
-    EXPECT_GT (moved, 0.1 * side * side); // not rounded again
+    EXPECT_GT (moved, 0.1 * side * side); // the results are not rounded to integers
   }
 };
 } // namespace

@@ -17,7 +17,7 @@ namespace
 class Interruption : public ToolTest
 {
 protected:
-  /** Ends a tool that would go on for hours. */
+  /** Interrupts a tool that would run for hours. */
   Ending
   interrupt (int signal)
   {
@@ -30,7 +30,7 @@ protected:
   }
 };
 
-/** Is interrupted in the middle of writing. */
+/** A tool that is interrupted while it writes. */
 class WritingTool : public tools::Tool
 {
 public:

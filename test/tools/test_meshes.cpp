@@ -42,7 +42,7 @@ protected:
     writeText (path ("plane.off"), planeAsOff (20));
   }
 
-  /** A cloud of the plane's points at \a height, with normals along x. */
+  /** Writes a cloud of the plane's points lifted to \a height, with normals along x. */
   void
   writeLifted (const std::string& name, double height, int points = 400)
   {
@@ -107,7 +107,7 @@ TEST_F (Meshes, BinaryOff)
   std::string bytes = "OFF BINARY\n";
   const auto append = [&bytes] (auto number) {
     std::reverse_iterator end (reinterpret_cast<const char*> (&number)), begin (end.base () + sizeof number);
-    bytes.append (begin, end); // most significant byte first
+    bytes.append (begin, end); // big-endian
   };
   for (const int count : {3, 1, 0})
     append (count);
@@ -154,7 +154,7 @@ TEST_F (Meshes, Noise)
   for (std::size_t i = 0; i < 400; ++i) {
     const Eigen::Vector3d clean (double (i % 20), double (i / 20), 0);
     const Eigen::Vector3d a = positionOf (normal, i) - clean, b = positionOf (random, i) - clean;
-    EXPECT_EQ (a.head<2> (), Eigen::Vector2d (0, 0)); // along the normal
+    EXPECT_EQ (a.head<2> (), Eigen::Vector2d (0, 0)); // only along the normal
     sum += a.z ();
     square_normal += a.squaredNorm ();
     square_random += b.squaredNorm ();
@@ -240,8 +240,8 @@ TEST_F (Meshes, DoubleTorus)
   succeed ("pcl_make_double_torus torus.ply");
   const tools::Mesh torus = tools::loadMesh (path ("torus.ply"));
   EXPECT_EQ (torus.vertices.size (), 4350u);
-  EXPECT_EQ (torus.triangles.size (), 8704u);                // 2 (V + 2), as genus 2 asks for
-  EXPECT_EQ (tools::edgesOf (torus).size (), 3 * 8704u / 2); // every edge between two triangles: closed
+  EXPECT_EQ (torus.triangles.size (), 8704u);                // 2 (V + 2), as required by genus 2
+  EXPECT_EQ (tools::edgesOf (torus).size (), 3 * 8704u / 2); // every edge has two triangles: closed
   double volume = 0, smallest_angle = 180;
   for (const auto& t : torus.triangles) {
     volume += torus.vertices[t[0]].dot (torus.vertices[t[1]].cross (torus.vertices[t[2]])) / 6;
@@ -251,7 +251,7 @@ TEST_F (Meshes, DoubleTorus)
       smallest_angle = std::min (smallest_angle, std::atan2 (u.cross (v).norm (), u.dot (v)) * 180 / 3.14159265);
     }
   }
-  EXPECT_GT (volume, 0.3); // the normals point outwards
+  EXPECT_GT (volume, 0.3); // positive: the normals point outwards
   EXPECT_GT (smallest_angle, 20);
   for (const Eigen::Vector3d& p : torus.vertices) {
     const double eight = p.x () * p.x () * (1 - p.x () * p.x ()) - p.y () * p.y ();

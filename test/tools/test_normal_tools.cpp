@@ -49,7 +49,7 @@ protected:
     input_ = load (path ("wpca.pcd"));
   }
 
-  /** What the class makes of the wave, in a cloud with its points. */
+  /** The result of the class for the wave, in a cloud with its points. */
   template <typename Estimation>
   Cloud
   estimated (Estimation& estimation)
@@ -128,7 +128,7 @@ TEST_F (NormalTools, OtherFieldsStay)
       EXPECT_EQ (bytesOf (out, field), bytesOf (wave, field)) << name << " " << field;
     EXPECT_EQ (bytesOf (out, "z") == bytesOf (wave, "z"), name != "moved.pcd") << name;
   }
-  // Fields that are there are written over, not added.
+  // Existing fields are overwritten, not added again.
   succeed ("pcl_hough_normal_estimation wpca.pcd hough.pcd");
   EXPECT_EQ (readPcdFile (path ("hough.pcd")).cloud->fields.size (),
              readPcdFile (path ("wpca.pcd")).cloud->fields.size ());

@@ -26,14 +26,14 @@ protected:
     savePcd (makeWave (), path ("wave.pcd"));
   }
 
-  /** What -h says, each option in one line. */
+  /** The output of -h, with each option on a single line. */
   std::string
   unwrappedHelp () const
   {
     return std::regex_replace (succeed ("pcl_normal_smoothing -h").out, std::regex ("\n {3,}"), " ");
   }
 
-  /** Status 1, one line that holds \a word, no output. */
+  /** Expects status 1, a message of one line that contains \a word, and no output. */
   void
   expectRefused (const std::string& command, const std::string& word)
   {

@@ -21,7 +21,7 @@ protected:
     savePcd (makeWave (), path ("wave.pcd"));
   }
 
-  /** The bytes of what the tool makes of the wave. */
+  /** The bytes of the tool's output for the wave. */
   std::string
   smoothed (const std::string& options)
   {
@@ -36,7 +36,7 @@ protected:
     return smoothed ("wave.pcd out.pcd " + options);
   }
 
-  /** Over a grid of 50 x 50 points, in place of the wave. */
+  /** Replaces the wave by heights over a grid of 50 x 50 points. */
   template <typename Heights>
   void
   saveHeights (const Heights& height) const
@@ -52,7 +52,7 @@ protected:
     savePcd (file, path ("wave.pcd"));
   }
 
-  /** What was found in the wave is printed as \a option 1, which gives the same again; 0 does not. */
+  /** Expects what was found in the wave to be printed as \a option 1, which gives the same result; 0 gives another. */
   void
   expectSaid (const std::string& option)
   {

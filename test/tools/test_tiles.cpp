@@ -38,14 +38,14 @@ TEST_F (Tiles, ClustersOfUnevenDensityDuplicatesAndOutliers)
 
 TEST_F (Tiles, TiesAndPointsOnBorders)
 {
-  Cloud grid; // with bumps, or it would not matter which of the points at one distance are neighbours
+  Cloud grid; // with bumps; otherwise the choice between equidistant neighbours would not matter
   for (int i = 0; i < 900; ++i)
     grid.push_back (Eigen::Vector3d (i % 30, i / 30, i % 3 == 0 && i / 30 % 2 == 0 ? 1 : 0) / 4);
   saveCloud (grid, "cloud.pcd");
   for (const char* size : {"225", "30"}) {
     expectSame ("cloud.pcd", std::string ("-max_points ") + size, "-preset paper -save_normals 1");
     expectSame ("cloud.pcd", std::string ("-max_points ") + size,
-                "-noise_sigma 0.1 -save_normals 1 -widen_neighborhoods 0"); // or steps of coordinates would be seen
+                "-noise_sigma 0.1 -save_normals 1 -widen_neighborhoods 0"); // or rounded coordinates would be detected
   }
 }
 
@@ -85,7 +85,7 @@ TEST_F (Tiles, CloseSheetsAreSeparatedAlike)
 TEST_F (Tiles, CopiesInPartAndRowsOfFewPoints)
 {
   Cloud cloud = wavyCloud (1500);
-  for (std::size_t i = 0; i < 600; ++i) // some once more, some many times, some but for rounding
+  for (std::size_t i = 0; i < 600; ++i) // copies: some once, some many times, some rounded differently
     cloud.insert (cloud.end (), i % 50 == 0 ? 40 : 1, cloud[i * 2] * (i % 3 == 0 ? 1 + 1e-7 : 1));
   saveCloud (cloud, "cloud.pcd");
   for (const char* options : {"", "-preset fast -save_normals 1", "-preset fast -k 16 -max_radius 0.28",
@@ -106,7 +106,7 @@ TEST_F (Tiles, RowsOfAFewPointsAreThoseOfAll)
   for (std::uint32_t cell = 0; cell < plan.cells.size (); ++cell)
     places.push_back ({cell, plan.cells[cell].box});
 
-  const auto rowsOfEvery = [&] (std::uint64_t nth, const tools::Depth& depth) { // by the numbers of points
+  const auto rowsOfEvery = [&] (std::uint64_t nth, const tools::Depth& depth) { // by the indices of points
     tools::Region region (plan, plan.query, execution);
     region.load (
         places, [nth] (std::uint32_t, std::uint64_t number) { return number % nth == 0; }, depth);

@@ -15,7 +15,7 @@ using namespace pcl_normal_smoothing::tools;
 
 namespace
 {
-/** The wave many times over: several megabytes. */
+/** Many copies of the wave: several megabytes. */
 CloudFile
 longWave ()
 {

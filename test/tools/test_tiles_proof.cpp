@@ -12,7 +12,7 @@ using namespace pcl_normal_smoothing::tools;
 
 namespace
 {
-/** Points in cells of a cube, as `plan` would leave them, without files. */
+/** Points in the cells of a cube, as in a plan, but without files. */
 struct Cubes
 {
   Plan plan;
@@ -40,7 +40,7 @@ struct Cubes
   }
 };
 
-/** The rows of points by their numbers in the cloud. */
+/** The rows of all points, in indices of the cloud. */
 std::vector<std::vector<std::uint32_t>>
 rowsOf (const core::NeighborGraph& graph, const std::vector<std::uint32_t>& numbers, std::size_t size)
 {
@@ -58,7 +58,7 @@ struct Part
   std::size_t loaded = 0, wrong = 0, doubted = 0, wrong_without_doubt = 0;
 };
 
-/** Searches among the points of some cells only. */
+/** Searches only among the points of some cells. */
 Part
 searchPart (const Cubes& cubes, const core::NeighborQuery& query, const std::vector<std::uint32_t>& cells)
 {

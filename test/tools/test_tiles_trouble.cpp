@@ -23,7 +23,7 @@ protected:
     succeed ("pcl_normal_smoothing_tiles plan tiles.d cloud.pcd " + options);
   }
 
-  /** A message that holds all words, and no new file. */
+  /** Expects a message that contains all words, and no new file. */
   void
   expectRefused (const std::string& command, int status, const std::vector<std::string>& words) const
   {
@@ -42,7 +42,7 @@ protected:
     EXPECT_TRUE (contentOf (path ("merged.pcd")) == contentOf (path ("whole.pcd")));
   }
 
-  /** Changes a byte in the middle of a file. */
+  /** Flips a bit in the middle of a file. */
   void
   damage (const std::string& name) const
   {
@@ -51,7 +51,7 @@ protected:
     writeText (path (name), content);
   }
 
-  /** Runs a tool where files cannot grow beyond some blocks of 512 bytes: as on a full disk. */
+  /** Runs a tool with file sizes limited to some blocks of 512 bytes, as if the disk were full. */
   Ending
   runOnFullDisk (const std::string& command, int blocks) const
   {
@@ -187,7 +187,7 @@ TEST_F (TilesTrouble, SourcesThatChange)
   succeed ("pcl_normal_smoothing_tiles run tiles.d");
   damage ("cloud.pcd");
   expectRefused ("merge tiles.d -output merged.pcd", 2, {path ("cloud.pcd"), "has changed"});
-  damage ("cloud.pcd"); // and back again
+  damage ("cloud.pcd"); // restores the byte
   expectMerged ();
   fs::resize_file (path ("cloud.pcd"), 1000);
   expectRefused ("merge tiles.d -output again.pcd", 2, {path ("cloud.pcd"), "has changed"});
@@ -210,7 +210,7 @@ TEST_F (TilesTrouble, APlanIsKeptForTheSameFilesAndOptionsOnly)
   saveCloud (wavyCloud (901), "cloud.pcd");
   plan ();
   EXPECT_EQ (results (), 0u);
-  plan ("-preset fast"); // as large as this machine's memory allows: the same call on another machine keeps the plan
+  plan ("-preset fast"); // tile size by this machine's memory: elsewhere, the same call must keep the plan
   EXPECT_EQ (contentOf (path ("tiles.d/plan.json")).find ("max_points"), std::string::npos);
 }
 

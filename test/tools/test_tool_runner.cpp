@@ -34,5 +34,5 @@ TEST_F (ToolRunner, TellsHowAToolEnded)
   tool.send (SIGTERM);
   EXPECT_EQ (tool.wait ().status, 128 + SIGTERM);
   EXPECT_THROW (tool.wait (), std::runtime_error);
-  tool.send (SIGTERM); // to nobody
+  tool.send (SIGTERM); // has no effect
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer as a user runs it, on a display that nobody sees.
+// The viewer as a user runs it, on an invisible display.
 #include "tool_runner.h"
 #include "viewer/display.h"
 
@@ -19,7 +19,7 @@
 
 namespace
 {
-/** A PNG file: rows from below, three bytes a pixel. */
+/** A PNG picture: rows from bottom to top, three bytes per pixel. */
 struct Picture
 {
   explicit Picture (const std::string& path)
@@ -36,7 +36,7 @@ struct Picture
           bytes.push_back (static_cast<int> (image->GetScalarComponentAsDouble (x, y, 0, c)));
   }
 
-  /** How rough the middle of one half is: the mean difference of pixels side by side that show the surface. */
+  /** Roughness of the middle of one half: the mean difference of adjacent pixels that show the surface. */
   double
   roughness (int side) const
   {
@@ -52,7 +52,7 @@ struct Picture
     return count > 1000 ? sum / count : std::nan ("");
   }
 
-  /** Of the pixels of the left view that show the surface. */
+  /** Share of dark pixels among those of the left view that show the surface. */
   double
   darkShare () const
   {
@@ -76,13 +76,13 @@ protected:
   void
   SetUp () override
   {
-    unsetenv ("DISPLAY"); // whatever there is, the pictures are the same everywhere
+    unsetenv ("DISPLAY"); // pictures on the viewer's own display are the same everywhere
     succeed ("pcl_make_double_torus mesh.ply");
     succeed ("pcl_add_surface_noise mesh.ply noisy.ply -type GN -sigma 0.3 -seed 1");
   }
 };
 
-/** The window of that name; 0 where there is none yet. */
+/** The window with that name; 0 if there is none yet. */
 Window
 windowNamed (Display* display, Window parent, const std::string& name)
 {
@@ -121,7 +121,7 @@ sendKey (Display* display, Window window, KeySym key, unsigned modifiers)
   XFlush (display);
 }
 
-/** The command of a process; empty where it has ended. */
+/** The command of a process; empty if it has ended. */
 std::string
 commandOf (int process)
 {
@@ -130,7 +130,7 @@ commandOf (int process)
   return command;
 }
 
-/** The display that a tool has started; 0 where it does not within half a minute. */
+/** The process of the display server that a tool started; 0 if there is none within half a minute. */
 int
 serverOf (int tool)
 {
@@ -163,11 +163,11 @@ TEST_F (Viewer, DrawsPointsWithLight)
   succeed (points + "-screenshot picture.png -color_by curvature");
   const Picture picture (path ("picture.png"));
   EXPECT_LT (picture.roughness (1), 0.8 * picture.roughness (0));
-  succeed (points + "-screenshot still.png -point_iterations 0"); // grey: nothing has moved
+  succeed (points + "-screenshot still.png -point_iterations 0"); // grey, as nothing moves
   const Picture still (path ("still.png"));
   EXPECT_GT (still.roughness (0), 1);
   EXPECT_NEAR (still.roughness (1), still.roughness (0), 0.05 * still.roughness (0));
-  EXPECT_LT (still.darkShare (), 0.1); // normals that point away are lit as well
+  EXPECT_LT (still.darkShare (), 0.1); // surfaces with normals that point away are lit, too
 }
 
 TEST_F (Viewer, SaysWhatItCannotDo)

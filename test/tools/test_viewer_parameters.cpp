@@ -26,7 +26,7 @@ parametersFor (const std::string& used, const Given& given = {})
   return parameters;
 }
 
-/** The options that keys leave behind; each is told what smoothing "used" before the next. */
+/** The options after pressing these keys, when smoothing reported \a used as its parameters. */
 Given
 press (const std::vector<std::string>& keys, const std::string& used, const Given& given = {})
 {

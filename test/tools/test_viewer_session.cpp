@@ -23,7 +23,7 @@ protected:
     savePcd (makeWave (), path ("wave.pcd"));
   }
 
-  /** The bytes that the tool makes of the wave. */
+  /** The bytes of the tool's output for the wave. */
   std::string
   toolsResult (const Given& options)
   {
@@ -131,6 +131,6 @@ TEST (ViewerColours, TheScaleEndsWhereNineteenOfTwentyLie)
   EXPECT_EQ (tools::scaleLimit (values), 1);
   values.push_back (std::numeric_limits<float>::quiet_NaN ());
   EXPECT_EQ (tools::scaleLimit (values), 1);
-  EXPECT_EQ (tools::scaleLimit (std::vector<float> (10, 0)), 1); // no empty range
+  EXPECT_EQ (tools::scaleLimit (std::vector<float> (10, 0)), 1); // the range must not be empty
   EXPECT_EQ (tools::scaleLimit ({}), 1);
 }

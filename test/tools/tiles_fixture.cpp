@@ -111,7 +111,7 @@ Tiles::clusters ()
   addBall ({-500, 80, 20}, 1, 9); // fewer than k
   addBall ({0.5, 0, 900}, 0.1, 1);
   addBall ({0, -7, 0}, 0.01, 250);
-  for (int i = 0; i < 40; ++i) // a place taken more often than k
+  for (int i = 0; i < 40; ++i) // more points than k in one place
     cloud.emplace_back (1.01, 0, 0);
   for (int i = 0; i < 300; i += 3)
     cloud.push_back (cloud[static_cast<std::size_t> (i)]);

@@ -5,18 +5,18 @@
 
 #include <Eigen/Core>
 
-/** Clouds, and what tiles make of them. */
+/** Clouds, and their smoothing by tiles. */
 class Tiles : public ToolTest
 {
 protected:
   using Cloud = std::vector<Eigen::Vector3d>;
 
-  /** As PCD or PLY, of floats. */
+  /** Saves as PCD or PLY, in float. */
   void
   saveCloud (const Cloud& cloud, const std::string& name) const;
 
-  /** Plans, runs and merges a file, and compares with what pcl_normal_smoothing makes of it, to the byte.
-    * \param[in] size options of plan that say how large tiles are
+  /** Plans, runs and merges a file, and expects the same bytes as from pcl_normal_smoothing.
+    * \param[in] size options of plan that determine the size of tiles
     * \param[in] options of the method
     * \param[in] extension, format of the output */
   void
@@ -29,11 +29,11 @@ protected:
   std::set<std::string>
   filesIn (const std::string& folder) const;
 
-  /** A noisy wave, in an order that does not follow space. */
+  /** A noisy wave, in an order that is not spatial. */
   static Cloud
   wavyCloud (std::size_t points);
 
-  /** Balls of different sizes and densities, far apart; points that are there several times; lonely points. */
+  /** Balls of different sizes and densities, far apart, with duplicate points and isolated ones. */
   static Cloud
   clusters ();
 
@@ -41,7 +41,7 @@ protected:
   static Cloud
   closeSheets ();
 
-  /** A wave that is the noisier the farther it is, in an order that does not follow space. */
+  /** A wave whose noise grows with distance, in an order that is not spatial. */
   static Cloud
   unevenlyNoisyWave ();
 };

@@ -68,7 +68,7 @@ RunningTool::wait ()
 
 ToolTest::ToolTest (std::string tools) : tools_ (std::move (tools))
 {
-  std::signal (SIGINT, SIG_DFL); // what is started in the background ignores it, and so would the tools
+  std::signal (SIGINT, SIG_DFL); // background jobs inherit that it is ignored, and so would the tools
   folder_ = (fs::temp_directory_path () / "test_tools.XXXXXX").string ();
   if (!mkdtemp (folder_.data ()))
     throw std::runtime_error (folder_ + " cannot be made (" + std::strerror (errno) + ")");
@@ -138,7 +138,7 @@ addField (pcl::PCLPointCloud2& cloud, const std::string& name, std::uint8_t data
   cloud.point_step += static_cast<unsigned> (pcl::getFieldSize (datatype)) * count;
 }
 
-/** Bytes that look random, and make finite floats and doubles. */
+/** Fills with bytes that look random and form finite floats and doubles. */
 void
 fillWithPattern (std::vector<std::uint8_t>& data)
 {
@@ -169,7 +169,7 @@ makeWave (std::uint8_t position_type, const Eigen::Vector3d& origin)
   fillWithPattern (cloud.data);
   const VectorLayout layout = *VectorLayout::find (cloud, {"x", "y", "z"});
   for (std::size_t i = 0; i < file.size (); ++i) {
-    // Multiples of 1 / 1024, which float holds exactly far from the origin too.
+    // Multiples of 1 / 1024, which float represents exactly, even far from the origin.
     const double x = double (i % 20) / 4, y = double (i / 20) / 4, z = std::sin (x) / 2 + double (i * 7919 % 13) / 200;
     const Eigen::Vector3d rounded = (Eigen::Vector3d (x, y, z) * 1024).array ().round () / 1024;
     layout.set (cloud.data.data (), i, rounded + origin);

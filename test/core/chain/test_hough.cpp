@@ -67,7 +67,7 @@ TEST (Hough, IsCloseToTruthBesideAnEdgeWherePcaIsNot)
   for (std::size_t i = 0; i < shape.size (); ++i) {
     Eigen::Array3f to_face = shape.points[i].array ().min (1 - shape.points[i].array ());
     std::sort (to_face.data (), to_face.data () + 3);
-    if (to_face[1] > 0.04 || to_face[2] < 0.2) // one step from an edge at most, away from the corners
+    if (to_face[1] > 0.04 || to_face[2] < 0.2) // at most one step from an edge, and away from the corners
       continue;
     hough.push_back (all_hough[i]);
     pca.push_back (all_pca[i]);
@@ -107,7 +107,7 @@ TEST (Hough, KnowsAPlaneExactly)
 
 TEST (Hough, KnowsAPlaneInAnyUnit)
 {
-  for (const float unit : {0x1p-45f, 0x1p45f}) { // fourth powers of lengths are no floats
+  for (const float unit : {0x1p-45f, 0x1p45f}) { // fourth powers of lengths exceed the range of float
     Vectors cloud = planeGrid (15, 0.1f).points;
     for (auto& point : cloud)
       point *= unit;
@@ -119,7 +119,7 @@ TEST (Hough, KnowsAPlaneInAnyUnit)
 TEST (Hough, DrawsTheTriplesOfItsBound)
 {
   const HoughEstimator estimator ({});
-  EXPECT_NEAR (static_cast<double> (estimator.binCount ()), 155, 15); // 2 n_phi sin (angle) in each band: about 144
+  EXPECT_NEAR (static_cast<double> (estimator.binCount ()), 155, 15); // 2 n_phi sin (angle) per band, about 144 in all
   const double bound = std::log (2 * static_cast<double> (estimator.binCount ()) / 0.05) / (2 * 0.08 * 0.08);
   EXPECT_NEAR (static_cast<double> (estimator.maxTriples ()), bound, 1.5);
 }

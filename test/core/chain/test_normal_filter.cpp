@@ -69,7 +69,7 @@ protected:
 
   const Shape shape_ = torus (1200, 1, 0.4);
   const Vectors cloud_ = withNoise (shape_.points, 0.02, 50);
-  // Noisy normals of both signs, whether they are called oriented or not.
+  // Noisy normals with random signs, even when the options say that they are oriented.
   const Vectors normals_ = withRandomSigns (normalized (withNoise (shape_.normals, 0.2, 51)), 52);
 };
 

@@ -12,7 +12,7 @@ struct Votes
   std::int32_t bins[block_size];
 };
 
-/** Numbers of points, three for each vote. */
+/** Indices of points, three for each vote. */
 struct Triples
 {
   std::uint32_t corners[3][block_size];
@@ -26,7 +26,7 @@ points ()
   return all;
 }
 
-/** \param[in] round others for each */
+/** \param[in] round each gives other triples */
 Triples
 triplesOf (std::uint32_t round)
 {
@@ -53,7 +53,7 @@ votesOf (const Kernels& kernels,
   return votes;
 }
 
-/** Adds to \a checked those votes whose normal is not close to the border between two bins. */
+/** Checks the bins of the votes whose normals are not close to the border of a bin; adds their number to \a checked. */
 void
 expectTheBinsOfTheirNormals (const Votes& votes, const std::string& kernels, std::size_t& checked)
 {
@@ -72,7 +72,7 @@ expectTheBinsOfTheirNormals (const Votes& votes, const std::string& kernels, std
 TEST (PlaneVotesTest, VotesGoToTheBinOfTheirNormal)
 {
   const float upright[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const float band_cosine[] = {0.9f, 0.5f, 0.2f}; // the last band goes on to the equator
+  const float band_cosine[] = {0.9f, 0.5f, 0.2f}; // the last band extends to the equator
   constexpr std::uint32_t rounds = 20;
   std::size_t count = 0;
   const Kernels* const* all = allKernels (count);
@@ -91,7 +91,7 @@ TEST (PlaneVotesTest, VotesOfPlanesAreTheSameForEveryInstructionSet)
   expectAllTheSame ([&] (const Kernels& kernels) {
     Triples triples = triplesOf (0);
     for (std::uint32_t corner = 0; corner < 3; ++corner)
-      triples.corners[corner][block_size - 1] = corner % 2; // two points alone
+      triples.corners[corner][block_size - 1] = corner % 2; // only two different points
     const Votes votes = votesOf (kernels, triples, rotation, band_cosine);
     EXPECT_EQ (votes.bins[block_size - 1], -1);
     EXPECT_LT (*std::max_element (votes.bins, votes.bins + block_size), 17);

@@ -18,7 +18,7 @@ using pcl_normal_smoothing::UpdateRule;
 
 constexpr float nan_float = std::numeric_limits<float>::quiet_NaN ();
 
-/** Displacements in the order of the cloud. */
+/** Displacements by point, in the order of the cloud. */
 Vectors
 displacementsByPoint (const Vectors& cloud, const Vectors& normals, std::uint32_t k, const PointUpdateOptions& options)
 {
@@ -116,13 +116,13 @@ TEST_P (PointUpdateTest, SearchingAnewFollowsThePoints)
 {
   PointUpdateOptions searching = options (4);
   const Vectors without = displacementsByPoint (cloud_, normals_, 9, searching);
-  searching.search_interval = 4; // after the last iteration there is nothing to search for
+  searching.search_interval = 4; // a search after the last iteration would have no effect
   EXPECT_EQ (displacementsByPoint (cloud_, normals_, 9, searching), without);
   searching.search_interval = 2;
   const Vectors result = displacementsByPoint (cloud_, normals_, 9, searching);
   EXPECT_NE (result, without);
 
-  // Two runs of two iterations, each with the neighbours of its own begin, in double.
+  // Two runs of two iterations in double, each with the neighbours found at its start.
   Points expected = inDouble (cloud_);
   for (int run = 0; run < 2; ++run)
     expected = oracleUpdate (expected, nearestRows (expected, 9), inDouble (normals_), options (2));

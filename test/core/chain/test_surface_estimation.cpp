@@ -106,7 +106,7 @@ TEST_P (AnySurfaceTest, ATriangleHasItsNormal)
 {
   const Vectors triangle {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const LocalSurface& surface : surfacesByPoint (asPositions (triangle), GetParam (), 3)) {
-    // Without itself WPCA sees two points only, a line.
+    // WPCA leaves out the point itself, so it sees only two points, a line.
     if (GetParam () == NormalSource::WPCA)
       EXPECT_TRUE (std::isnan (surface.variation));
     else

@@ -9,10 +9,10 @@
 
 namespace test_support
 {
-/** Of the pixels of clouds in layers. */
+/** Spacing of the pixels of clouds in layers. */
 inline constexpr float layer_spacing = 0.01f;
 
-/** Alike in patches of 3 x 3 pixels, as noise of the disparity is. */
+/** Noise that is constant in patches of 3 x 3 pixels, as that of disparities is. */
 inline double
 patchNoise (double x, double y)
 {
@@ -28,7 +28,7 @@ layersOf (const Searched& cloud, unsigned threads = 2)
   return estimateLayers (*cloud.graph, cloud.nodes, Execution (threads));
 }
 
-/** What a pinhole camera at the origin sees of a wall with windows that are all set back by the same: no reveals. */
+/** A wall with windows, all set back by the same depth, as a pinhole camera at the origin sees it: without reveals. */
 inline pcl_normal_smoothing::core::Vectors
 wallWithWindows ()
 {

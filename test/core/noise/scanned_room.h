@@ -7,10 +7,10 @@
 
 namespace test_support
 {
-/** What a scanner 1.6 m above the floor sees of a room of 12 x 8 x 3 m and a ball of 0.7 m in it. */
+/** A room of 12 x 8 x 3 m with a ball of radius 0.7 m, seen by a scanner 1.6 m above the floor. */
 struct ScannedRoom
 {
-  /** Elevations from -limit to limit, azimuths all around, in degrees; the noise goes along the rays, in metres. */
+  /** Elevations from -limit to limit and azimuths all around, in degrees; noise along the rays, in metres. */
   ScannedRoom (double limit, double elevation_step, double azimuth_step, double noise)
   {
     std::uint64_t number = 0;
@@ -23,7 +23,7 @@ struct ScannedRoom
       }
   }
 
-  /** From a point to the surface. */
+  /** Distance from a point to the surface. */
   static double
   distance (const Eigen::Vector3d& p)
   {
@@ -31,7 +31,7 @@ struct ScannedRoom
     return std::min (to_walls.minCoeff (), std::abs ((p - ball).norm () - radius));
   }
 
-  /** The root mean square of these. */
+  /** Root mean square of these distances. */
   static double
   error (const Vectors& points)
   {

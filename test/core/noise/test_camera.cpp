@@ -12,12 +12,12 @@ using namespace pcl_normal_smoothing;
 using namespace pcl_normal_smoothing::core;
 using namespace test_support;
 
-/** A depth camera that knows the disparity in steps looks at a table a metre away, tilted by as much. Rows of
-  * pixels that are a step apart are planes, too. */
+/** A table a metre away, tilted by \a degrees, seen by a depth camera that measures the disparity in steps. The rows of
+  * pixels in one step form planes as well. */
 Vectors
 tableBeforeACamera (double degrees)
 {
-  constexpr double focal_length = 525, steps_of_metre = 345; // pixels; z²/345 m
+  constexpr double focal_length = 525, steps_of_metre = 345; // in pixels; a step of the disparity is z²/345 m
   const double slope = std::tan (degrees * M_PI / 180);
   Vectors points;
   for (int v = -60; v < 60; ++v)
@@ -54,7 +54,7 @@ TEST (CameraTest, LayersAreOfACameraAtTheOriginAlone)
 TEST (CameraTest, LayersAreNotOfACameraFromWherePixelsAreNotAlike)
 {
   Vectors points = tableBeforeACamera (50);
-  for (auto& point : points) // to the camera
+  for (auto& point : points) // towards the camera
     point.z () -= 0.7f;
   const LayerEstimate layers = layersOf (Searched (points));
   EXPECT_TRUE (layers.hasLayers ());

@@ -15,7 +15,7 @@ namespace
 using namespace pcl_normal_smoothing::core;
 using namespace test_support;
 
-/** Every coordinate to a whole number of steps, one point in a place. */
+/** Rounds every coordinate to a multiple of \a step, and keeps one point per position. */
 Vectors
 rounded (const Vectors& points, float step)
 {
@@ -61,7 +61,7 @@ TEST (CoordinateRoundingTest, ReadsTheStep)
 TEST (CoordinateRoundingTest, ThereIsNoneWhereOneAxisHasNone)
 {
   EXPECT_EQ (coordinateStep (placesOf (sphere (5000, 1).points)), 0);
-  Vectors heights = planeGrid (80, 0.01f).points; // over a grid
+  Vectors heights = planeGrid (80, 0.01f).points; // above a grid
   for (std::size_t i = 0; i < heights.size (); ++i)
     heights[i].z () = static_cast<float> (gaussianNoise (3, i));
   EXPECT_EQ (coordinateStep (placesOf (heights)), 0);
@@ -82,7 +82,7 @@ TEST (CoordinateRoundingTest, CentresOfVoxelsBecomeASurface)
     }
 }
 
-/** The mean distance to the faces of a box, its edges left out. */
+/** Mean distance to the faces of a box, except near its edges. */
 double
 errorOnFaces (const Vectors& points, const Vectors& places, float edge)
 {
@@ -103,7 +103,7 @@ errorOnFaces (const Vectors& points, const Vectors& places, float edge)
 
 TEST (CoordinateRoundingTest, ThickShellsOfVoxelsAreNoSheets)
 {
-  constexpr float edge = 50.5f; // not where voxels have their centres
+  constexpr float edge = 50.5f; // not at the centres of voxels
   const Shape box = cube (200, edge);
   Vectors points = box.points;
   for (std::size_t i = 0; i < points.size (); ++i)
@@ -114,7 +114,7 @@ TEST (CoordinateRoundingTest, ThickShellsOfVoxelsAreNoSheets)
              0.6 * errorOnFaces (points, points, edge));
 }
 
-/** A box whose top rises: most of it shows no noise. */
+/** A box whose top may slope: most of it shows no noise. */
 Vectors
 wedge (double slope)
 {
@@ -146,7 +146,7 @@ TEST (CoordinateRoundingTest, FlatPartsAStepApartAreSeen)
 
 TEST (CoordinateRoundingTest, CleanShapesOnALatticeStay)
 {
-  Vectors box; // its faces, edges included
+  Vectors box; // the faces, edges included
   const Vectors face = planeGrid (41, 1).points;
   for (const Eigen::Vector3f& p : face)
     for (const float height : {0.0f, 40.0f})

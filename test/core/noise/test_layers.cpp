@@ -21,7 +21,7 @@ constexpr float spacing = layer_spacing;
 
 using Surface = std::function<double (double x, double y)>;
 
-/** A grid whose heights come in steps. */
+/** A grid whose heights are rounded to steps. */
 Vectors
 inSteps (const Surface& surface, double step)
 {
@@ -37,7 +37,7 @@ tilted (double x, double y)
   return 0.4 * x + 0.1 * y;
 }
 
-/** A hill about the middle. */
+/** A hill in the middle. */
 double
 hill (double x, double y)
 {
@@ -60,7 +60,7 @@ haveLayers (const Vectors& points)
   return layersOf (Searched (points)).hasLayers ();
 }
 
-/** The caps are rings a spacing apart. */
+/** A cylinder with caps made of rings one spacing apart. */
 Vectors
 cappedCylinder ()
 {
@@ -72,7 +72,7 @@ cappedCylinder ()
   return points;
 }
 
-/** Treads of eight spacings, risers of three. */
+/** Stairs with treads of eight spacings and risers of three. */
 Vectors
 stairs ()
 {
@@ -89,7 +89,7 @@ stairs ()
   return points;
 }
 
-/** Flat roofs of ten spacings and all heights; nothing between. */
+/** Flat roofs ten spacings wide at random heights; nothing between them. */
 Vectors
 roofs ()
 {
@@ -208,7 +208,7 @@ TEST (LayersTest, ThreadsDoNotMatter)
 TEST (LayersTest, TheNoiseVariesAsTheStepsDo)
 {
   Vectors points = planeGrid (side, spacing).points;
-  for (auto& p : points) { // a depth camera knows the reciprocal of the depth in steps
+  for (auto& p : points) { // a depth camera measures the reciprocal of the depth in steps
     const float depth = 1 / (0.01f * std::round (100 / (1 + 2 * p.x ())));
     p = depth * Eigen::Vector3f (p.x (), p.y (), 1);
   }

@@ -15,7 +15,7 @@ using namespace pcl_normal_smoothing;
 using namespace pcl_normal_smoothing::core;
 using namespace test_support;
 
-/** What a lidar that turns sees: in every line a point each quarter of a degree. */
+/** The points of a rotating lidar: four per degree in each line. */
 Vectors
 lidar (double noise, double degrees_between_lines = 2)
 {
@@ -30,15 +30,15 @@ ballHeight (double x, double y)
   return std::sqrt (ball_radius * ball_radius - x * x - y * y);
 }
 
-/** With detail between the lines. */
+/** A wave with detail between the lines. */
 double
 waveHeight (double x, double y)
 {
   return 4 * std::sin (x / 4) * std::cos (y / 4);
 }
 
-/** What a profiler sees from above, whose lines are five times as far apart as their points: each lies in a plane
-  * exactly. The spacing is 1, the noise goes along the rays. */
+/** The points of a profiler above the surface. Its lines are five times as far apart as the points in them; each line
+  * lies exactly in a plane. The spacing is 1, and the noise is along the rays. */
 Vectors
 profiles (double (*height) (double, double), double noise)
 {
@@ -76,7 +76,7 @@ haveLines (const Vectors& points)
   return !linesOf (points).regions.empty ();
 }
 
-/** Facets five spacings wide, without noise. */
+/** Noise-free facets five spacings wide. */
 Vectors
 folded ()
 {

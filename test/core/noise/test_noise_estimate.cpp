@@ -24,7 +24,7 @@ estimateOf (const Vectors& points, std::uint32_t k = 16, unsigned threads = 2)
 
 TEST (NoiseEstimateTest, ReadsTheNoiseOfKnownShapes)
 {
-  // Points of a Fibonacci sphere of radius 1 are sqrt (4 pi / n) apart, those of the others as they say.
+  // The points of a Fibonacci sphere of radius 1 are sqrt (4 pi / n) apart; the other spacings are given.
   const double of_sphere = std::sqrt (4 * M_PI / 6000);
   for (const double noise : {0.05, 0.1, 0.2, 0.3, 0.5}) {
     const std::pair<Shape, double> shapes[] = {{sphere (6000, 1), of_sphere},
@@ -70,7 +70,7 @@ TEST (NoiseEstimateTest, ShallowReliefIsNoNoise)
 TEST (NoiseEstimateTest, CopiesOfPointsAreNoNoise)
 {
   const Vectors points = withNormalNoise (planeGrid (40, 0.01f), 0.002, 3);
-  for (const std::size_t count : {4, 8}) { // of a tenth of the points
+  for (const std::size_t count : {4, 8}) { // copies of every tenth point
     Vectors copies = points;
     for (std::size_t i = 0; i < points.size (); i += 10)
       copies.insert (copies.end (), count, points[i]);

@@ -70,7 +70,7 @@ TEST (NoiseFieldTest, OneNoiseIsNoDetail)
 {
   std::vector<LocalValue> variances;
   for (std::uint64_t i = 0; i < 4000; ++i) {
-    float sum = 0; // of chi-square by six degrees of freedom
+    float sum = 0; // chi-square distributed with six degrees of freedom
     for (std::uint64_t seed = 0; seed < 6; ++seed)
       sum += static_cast<float> (std::pow (gaussianNoise (seed, i), 2));
     variances.push_back ({Eigen::Vector3f (static_cast<float> (i), 0, 0), sum});
@@ -91,7 +91,7 @@ TEST (NoiseFieldTest, OrderDoesNotMatter)
   const auto growing_along_x = [] (const Eigen::Vector3f& p) { return 0.001 + 0.005 * p.x (); };
   Vectors points = withNormalNoise (planeGrid (80, 0.01f), growing_along_x, 3);
   for (std::size_t i = 0; i < points.size (); i += 7)
-    points.push_back (points[i]); // copies, which no order tells apart
+    points.push_back (points[i]); // copies, whose order is ambiguous
   const NoiseField expected = estimateOf (points).field;
   ASSERT_FALSE (expected.isEven ());
   const NoiseField field = estimateOf (shuffled (points, 4)).field;

@@ -14,7 +14,7 @@ using namespace test_support;
 
 constexpr int count = 10000;
 
-/** Over the unit square, with noise in spacings. */
+/** A saddle over the unit square, with noise in spacings. */
 Vectors
 saddle (double noise)
 {
@@ -44,7 +44,7 @@ projected (const Vectors& points, const RegionalField& ratios, unsigned threads 
   return moved;
 }
 
-/** From the saddle, along z. */
+/** Mean distance to the saddle along z. */
 double
 meanOffset (const Vectors& points)
 {
@@ -56,7 +56,7 @@ meanOffset (const Vectors& points)
 
 TEST (QuadricProjectionTest, LittleOfTheNoiseIsLeft)
 {
-  for (const double noise : {1, 2, 3, 5}) { // from 3 on by more than one projection
+  for (const double noise : {1, 2, 3, 5}) { // from 3 on, it takes more than one projection
     const Vectors points = saddle (noise);
     const double left = meanOffset (projected (points, everywhere (static_cast<float> (noise)))) / meanOffset (points);
     EXPECT_LT (left, noise > 2 ? 0.23 : 0.4) << noise;

@@ -12,8 +12,8 @@ namespace
 using namespace pcl_normal_smoothing::core;
 using namespace test_support;
 
-/** What quadrics leave of noise of variance 1, times a factor for every size, and times \a relief at all but a fifth of
-  * the places. */
+/** Simulated residual variances of quadrics on noise of variance 1, multiplied by a factor per neighbourhood size, and
+  * by \a relief at all but a fifth of the places. */
 ResidualVariances
 variances (const std::array<double, 3>& factors, double relief = 1)
 {

@@ -22,7 +22,7 @@ halvingsOf (const Vectors& points, unsigned threads = 2)
   return wideNoiseOf (points, threads).halvings;
 }
 
-/** A square with waves of a length. */
+/** A square with waves of the given length. */
 Vectors
 waves (double noise, double length)
 {
@@ -168,7 +168,7 @@ TEST (WideNoiseTest, ThinWallsInAPartAreNone)
   }
 }
 
-/** Two walls, of which the near one, most of the cloud, has only a share of its noise. */
+/** Two walls; the near one, most of the cloud, has its noise multiplied by \a share. */
 Vectors
 wallsWithQuietNearOne (float share)
 {
@@ -194,7 +194,7 @@ TEST (WideNoiseTest, OfAPartBesideWhatHasLittle)
 
 TEST (WideNoiseTest, OfAPartNoneIsSeenBesideWhatIsClean)
 {
-  const WideNoise wide = wideNoiseOf (wallsWithQuietNearOne (0)); // whose usual noise is 0, to which none has a ratio
+  const WideNoise wide = wideNoiseOf (wallsWithQuietNearOne (0)); // its usual noise is 0, so no noise has a ratio to it
   EXPECT_EQ (wide.sigma, 0);
   EXPECT_TRUE (wide.halvings.regions.empty ());
   EXPECT_TRUE (wide.field.isEven ());
@@ -221,12 +221,12 @@ TEST (WideNoiseTest, AllOfTheNoiseIsRead)
     EXPECT_NEAR (read.sigma / (noise * wide_spacing), 1, 0.2) << noise;
     EXPECT_LT (read.spacing, 3 * wide_spacing) << "of the cloud, not of the wide neighbourhoods";
   }
-  const Searched bumps (bumpySphere (1.5)); // whose points are projected
+  const Searched bumps (bumpySphere (1.5)); // where points are projected
   const NoiseEstimate read = estimateNoise (*bumps.graph, bumps.nodes, Execution (2));
   EXPECT_NEAR (read.sigma / (1.5 * std::sqrt (4 * M_PI) * wide_spacing), 1, 0.2);
 }
 
-/** What the smoothing takes for sigma, over what is read. */
+/** The ratio of the sigma that the smoothing uses to the estimated one. */
 float
 takenOverRead (const Vectors& points)
 {

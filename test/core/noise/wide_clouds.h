@@ -12,7 +12,7 @@ namespace test_support
 inline constexpr int wide_count = 20000;
 inline const double wide_spacing = 1 / std::sqrt (wide_count);
 
-/** A square at random points; noise in spacings. */
+/** A square, randomly sampled; noise in spacings. */
 inline Vectors
 square (double noise)
 {
@@ -24,7 +24,7 @@ square (double noise)
   return points;
 }
 
-/** A square in sweeps that cross: along each, points are closer to each other than to those of another. */
+/** A square in crossing sweeps: points are closer to others of their sweep than to those of another. */
 inline Vectors
 crossingSweeps (double noise)
 {
@@ -42,8 +42,8 @@ crossingSweeps (double noise)
   return points;
 }
 
-/** Eight frames laid over each other, one length unit to a pixel, along whose rays there is noise.
-  * \param[in] gap every second frame sees another sheet, so far behind */
+/** Eight superimposed frames of a camera, one length unit per pixel, with noise along the rays.
+  * \param[in] gap every other frame sees another sheet, this far behind */
 inline Vectors
 framesOfAStillCamera (double noise, double gap)
 {
@@ -61,7 +61,7 @@ framesOfAStillCamera (double noise, double gap)
   return points;
 }
 
-/** A disc full of steep pits, eight spacings wide. */
+/** A disc of steep bumps and pits, with a wavelength of eight spacings. */
 inline Vectors
 pits (double noise)
 {
@@ -76,7 +76,7 @@ pits (double noise)
   return points;
 }
 
-/** A cube full of points: no surface. */
+/** Points throughout a cube: no surface. */
 inline Vectors
 leaves (std::uint64_t count)
 {
@@ -86,8 +86,8 @@ leaves (std::uint64_t count)
   return points;
 }
 
-/** What a depth camera of 240 x 240 pixels sees of a wall at a distance of \a near, and in a quarter of them of one at
-  * \a far. */
+/** A depth camera's view of two walls: of its 240 x 240 pixels, three quarters see one at a distance of \a near, and a
+  * quarter one at \a far. */
 inline Vectors
 twoWalls (double near, double far)
 {
@@ -102,7 +102,7 @@ twoWalls (double near, double far)
   return points;
 }
 
-/** Its noise grows as the square of the distance, along the rays; \a sigma at a distance of 1. */
+/** Adds a depth camera's noise along the rays: it grows as the square of the distance; \a sigma at a distance of 1. */
 inline Vectors
 withNoiseOfDepth (Vectors points, double sigma)
 {
@@ -113,7 +113,7 @@ withNoiseOfDepth (Vectors points, double sigma)
   return points;
 }
 
-/** From the plane z = 0. */
+/** Mean distance to the plane z = 0. */
 inline double
 meanDistance (const Vectors& points)
 {
@@ -123,14 +123,14 @@ meanDistance (const Vectors& points)
   return sum / static_cast<double> (points.size ());
 }
 
-/** Of a bumpy sphere, from its middle. */
+/** Distance of the surface of a bumpy sphere from its centre. */
 inline double
 heightOfBumps (const Eigen::Vector3d& direction)
 {
   return 1 + 0.05 * std::sin (8 * direction.x ()) * std::sin (8 * direction.y ()) * std::sin (8 * direction.z ());
 }
 
-/** At random points, with noise in all directions, in spacings; with bumps. */
+/** A bumpy sphere, randomly sampled, with isotropic noise in spacings. */
 inline Vectors
 bumpySphere (double noise)
 {

@@ -24,7 +24,7 @@ farRow (const NeighborGraph& graph, const FarRows& rows, std::size_t node)
   return row;
 }
 
-/** Mean distance from the node. */
+/** Mean distance of a row's points from the node. */
 double
 reachOf (const Positions& nodes, std::uint32_t node, const std::vector<std::uint32_t>& row)
 {
@@ -42,7 +42,7 @@ TEST (FarRowsTest, ReachTwiceAsFar)
     double near = 0, far = 0;
     for (std::uint32_t node = 0; node < cloud.graph->size (); ++node) {
       const Eigen::Vector3f from_middle = cloud.nodes.base[node] - Eigen::Vector3f (19.5f, 19.5f, 0);
-      if (from_middle.head<2> ().cwiseAbs ().maxCoeff () > 12) // near the border there is nothing to reach
+      if (from_middle.head<2> ().cwiseAbs ().maxCoeff () > 12) // near the border, there are no points farther out
         continue;
       const Row row = cloud.graph->row (node);
       std::vector<std::uint32_t> all;
@@ -80,7 +80,7 @@ TEST (FarRowsTest, ShortRowsEndWithTheNode)
 
 TEST (FarRowsTest, WhatIsInNoRowDoesNotComeIn)
 {
-  // Two squares, each in its own rows, as sheets that were separated.
+  // Two squares, each with rows of its own, like separated sheets.
   const Vectors points = parallelSheets (20, 1, 1).points;
   const auto ofOwnSheet = [&] (std::uint32_t index, std::vector<std::uint32_t>& neighbors) {
     neighbors.clear ();
@@ -100,7 +100,7 @@ TEST (FarRowsTest, FarFromTheOriginTheyAreTheSame)
 {
   const Searched cloud (withNoise (planeGrid (20, 0.25f).points, 0.02, 4), {32});
   Positions moved = cloud.nodes;
-  for (std::size_t i = 0; i < moved.size (); ++i) { // what a float has left of it there, and the rest
+  for (std::size_t i = 0; i < moved.size (); ++i) { // base: what float can represent there; offset: the remainder
     const Eigen::Vector3f place = moved.base[i];
     moved.base[i] = (place.array () + 32768).round ().matrix ();
     moved.offset[i] += place - (moved.base[i].array () - 32768).matrix ();

@@ -15,7 +15,7 @@ using namespace test_support;
 
 constexpr float middle = 20; // of a plane 40 wide
 
-/** A plane whose right half has its points twice as near to each other. */
+/** A plane with half the spacing in its right half. */
 Vectors
 unevenPlane ()
 {
@@ -29,7 +29,7 @@ unevenPlane ()
   return points;
 }
 
-/** Of an even plane of spacing 1, or of one that gets denser; k = 32. */
+/** An even plane of spacing 1, and one whose spacing halves in the middle; k = 32. */
 class FineRowsTest : public testing::Test
 {
 protected:
@@ -39,7 +39,7 @@ protected:
     return {*cloud.graph, cloud.nodes, sigma, variance_factors, Execution (2)};
   }
 
-  /** How many neighbours a node looks at, itself counted. */
+  /** Number of neighbours used for a node, itself included. */
   static std::size_t
   sizeOfRow (const Searched& cloud, const FineRows& rows, std::size_t node)
   {
@@ -83,7 +83,7 @@ TEST_F (FineRowsTest, DensePlacesAreWideFirst)
   std::size_t fine = 0, wide = 0;
   for (std::uint32_t node = 0; node < uneven_.graph->size (); ++node) {
     const float x = uneven_.nodes.base[node].x () - middle;
-    if (std::abs (x) < 4) // between them
+    if (std::abs (x) < 4) // at the transition
       continue;
     EXPECT_EQ (sizeOfRow (uneven_, rows, node), x < 0 ? fine_k : max_row_length) << x;
     EXPECT_EQ (scaled[node], x < 0 ? 3 : 6);
@@ -107,7 +107,7 @@ TEST_F (FineRowsTest, NoiseIsWideWhereItIsLarger)
 
 TEST (UnevenNoiseTest, DensePlacesAreSmoothedAsOthersAre)
 {
-  constexpr double sigma = 0.4; // .8 of the dense half's spacing, whose fine neighbourhoods are lost in it
+  constexpr double sigma = 0.4; // .8 of the dense half's spacing: too much for fine neighbourhoods there
   const Vectors points = withNoise (unevenPlane (), sigma, 5);
   SmoothingOptions options = robustOptions (false);
   options.rounds.noise = {static_cast<float> (sigma), 1};
@@ -116,7 +116,7 @@ TEST (UnevenNoiseTest, DensePlacesAreSmoothedAsOthersAre)
   std::size_t counts[2] = {0, 0};
   for (const auto& point : smooth) {
     const Eigen::Vector2f place = point.head<2> () - Eigen::Vector2f (middle, middle);
-    if (place.cwiseAbs ().maxCoeff () > 16 || std::abs (place.x ()) < 4) // beside an edge, or between them
+    if (place.cwiseAbs ().maxCoeff () > 16 || std::abs (place.x ()) < 4) // near an edge, or at the transition
       continue;
     sums[place.x () > 0] += std::abs (point.z ());
     ++counts[place.x () > 0];

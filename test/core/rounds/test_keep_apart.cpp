@@ -17,7 +17,7 @@ using namespace test_support;
 constexpr int side = 9;
 constexpr std::uint32_t middle = side * side / 2, beside = middle + 1;
 
-/** A grid of spacing 1 in which the middle point moves. */
+/** A grid of spacing 1 whose middle point moves. */
 class KeepApartTest : public testing::Test
 {
 protected:
@@ -28,7 +28,7 @@ protected:
   , normals_ (points_.size (), Eigen::Vector3f::UnitZ ())
   {}
 
-  /** Offsets in the order of the cloud. */
+  /** The resulting offsets, in the order of the cloud. */
   Vectors
   keptApart ()
   {
@@ -47,7 +47,7 @@ protected:
     return byPoint (moved, *graph);
   }
 
-  /** From the middle point to the one beside it. */
+  /** The vector from the middle point to the one beside it. */
   static Eigen::Vector3f
   way (const Vectors& points, const Vectors& offsets)
   {
@@ -83,7 +83,7 @@ TEST_F (KeepApartTest, PointsThatWereCloseStayWhereTheyAre)
 {
   points_[middle] += 0.9f * way (points_, offsets_);
   EXPECT_EQ (keptApart (), offsets_);
-  for (auto& offset : offsets_) // likewise all in one direction
+  for (auto& offset : offsets_) // the same if all move in one direction
     offset = start_.front () + Eigen::Vector3f (0.25f, 0.5f, 0.125f);
   EXPECT_EQ (keptApart (), offsets_);
 }
@@ -116,12 +116,12 @@ TEST_F (KeepApartTest, WhatLiesAboveIsInNoDirection)
 
 TEST_F (KeepApartTest, RowsOfFewPointsDependOnNoOthers)
 {
-  radius_ = 1.1f; // the four beside
+  radius_ = 1.1f; // only the four nearest
   offsets_[middle] = 0.9f * way (points_, offsets_);
   const Eigen::Vector3f expected = keptApart ()[middle];
   EXPECT_NE (expected, offsets_[middle]);
   for (std::size_t i = 0; i < points_.size (); ++i)
-    if ((points_[i] - points_[middle]).norm () > 2.5f) // crowded: longer rows in the blocks
+    if ((points_[i] - points_[middle]).norm () > 2.5f) // move these together: blocks with longer rows
       points_[i] = points_[0] + 0.01f * points_[i];
   EXPECT_EQ (keptApart ()[middle], expected);
 }

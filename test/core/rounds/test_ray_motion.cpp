@@ -15,7 +15,7 @@ using namespace test_support;
 
 const Eigen::Vector3f slanting = Eigen::Vector3f (0, .6f, .8f);
 
-/** A plane that slants, a metre from the origin, and off it. */
+/** Noisy points near a slanting plane that crosses the z axis a metre from the origin. */
 Positions
 besideAPlane ()
 {

@@ -62,7 +62,7 @@ protected:
   }
 };
 
-// Bounds a quarter above what holds on other seeds too: a broken weight or covariance costs more than that.
+// The bounds are a quarter above the ratios with other seeds too; a broken weight or covariance would exceed them.
 TEST_P (RobustSmoothingTest, PointsComeCloseToTheSurface)
 {
   const bool fast = isFast ();
@@ -104,8 +104,8 @@ TEST_P (RobustSmoothingTest, TwoCloseSheetsKeepTheirDistance)
 
 constexpr float sheet_spacing = 0.02f;
 
-/** Of the distance to the surface, what is left over what was there. \param[in] start normals that point to one side;
-  * or none */
+/** The fraction of the distance to the surface that remains after smoothing. \param[in] start consistently oriented
+  * normals, or none */
 double
 leftOf (const Shape& shape, bool fast, const Vectors& start = {})
 {
@@ -146,14 +146,14 @@ TEST (RobustSmoothingOfSheetsTest, ASecondSheetCostsLittle)
 
 TEST (RobustSmoothingOfSheetsTest, ASecondSheetCostsFastLittle)
 {
-  // Farther apart, hardly any of the 16 nearest lie on the other sheet: they are not seen, and need not be.
+  // At larger gaps, hardly any of the 16 nearest lie on the other sheet: it is not detected, and need not be.
   for (const float gap : {1.5f, 1.75f, 2.0f, 3.0f})
     EXPECT_LT (leftOf (sheetsApart (gap), true), .285) << gap << " spacings apart";
 }
 
 TEST (RobustSmoothingOfSheetsTest, SheetsAsCloseAsTheirPointsAreNotMerged)
 {
-  // A tenth above what holds; rows that count from the point cost as much more.
+  // A tenth above the measured ratios; measuring heights from the point itself would cost as much again.
   EXPECT_LT (leftOf (sheetsApart (1), false), .315);
   EXPECT_LT (leftOf (sheetsApart (1.2f), false), .17);
   EXPECT_LT (leftOf (sheetsApart (1), true), .51);

@@ -13,7 +13,7 @@ namespace
 using namespace pcl_normal_smoothing::core;
 using namespace test_support;
 
-/** A few points whose normals are z. */
+/** A few points with normals along z. */
 class StepControlTest : public testing::Test
 {
 protected:
@@ -25,7 +25,7 @@ protected:
   , risks_ (2 * graph_->size (), 0.0f)
   {}
 
-  /** The share of the step that is taken, by the averages of stepRisks. */
+  /** The share of the step that is taken, given the averages of both risks. */
   float
   shareFor (float product, float size, const RiskLimit& limit = {1, nullptr})
   {
@@ -43,7 +43,7 @@ protected:
     return taken[0].z ();
   }
 
-  /** Of points that moved so far along their normals since the first round. */
+  /** Computes the risks of points that moved by \a way along their normals since the first round. */
   void
   findRisks (float way)
   {
@@ -61,7 +61,7 @@ protected:
 
 TEST_F (StepControlTest, TheFourthPowerOfWhatTheRiskAllowsIsTaken)
 {
-  const float size = std::sqrt (2 / 1.57079633f); // a mean square of 2
+  const float size = std::sqrt (2 / 1.57079633f); // mean square 2
   EXPECT_NEAR (shareFor (0, size), std::pow (0.5, 4), 1e-6);
   EXPECT_NEAR (shareFor (0.5f, size), std::pow (0.25, 4), 1e-6);
   EXPECT_NEAR (shareFor (-1, size), 1, 1e-6);

@@ -17,7 +17,7 @@ using namespace test_support;
 
 constexpr float no_radius = std::numeric_limits<float>::infinity ();
 
-/** The first point in the place of every point, by comparing with all places before. */
+/** For every point, the first point in the same place, found by comparison with all before it. */
 std::vector<std::uint32_t>
 firstInPlace (const Positions& cloud)
 {
@@ -30,7 +30,7 @@ firstInPlace (const Positions& cloud)
   return result;
 }
 
-/** Without the points that are not the first in their place. */
+/** The first point of each place. \param[out] numbers their indices in \a cloud */
 Positions
 distinctOf (const Positions& cloud, std::vector<std::uint32_t>& numbers)
 {
@@ -50,7 +50,7 @@ class DistinctPoints : public testing::TestWithParam<NamedCloud>
 protected:
   DistinctPoints () : distinct_ (distinctOf (cloud_, numbers_)) {}
 
-  /** The row of a point among the distinct, in numbers of the whole cloud. */
+  /** The expected row of a point among the distinct ones, in indices of the whole cloud. */
   IndexRow
   expectedRow (std::uint32_t point, const NeighborQuery& query) const
   {
@@ -68,7 +68,7 @@ protected:
   }
 
   const Positions& cloud_ = GetParam ().positions;
-  std::vector<std::uint32_t> numbers_; // of the distinct points
+  std::vector<std::uint32_t> numbers_; // indices of the distinct points
   Positions distinct_;
 };
 

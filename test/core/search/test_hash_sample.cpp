@@ -28,7 +28,7 @@ TEST (HashSampleTest, AreThePlacesWithTheSmallestHashesHoweverOftenTheyAreThere)
   const std::set<std::uint32_t> expected =
       hashesOf (asPositions (points), sampleNodes (asPositions (points), 700, Execution (2)));
   ASSERT_EQ (expected.size (), 700u);
-  Vectors many (300000, points[4321]); // as scanners leave points that they have not seen
+  Vectors many (300000, points[4321]); // as scanners write for points that they did not measure
   for (int copy = 0; copy < 3; ++copy)
     many.insert (many.end (), points.rbegin (), points.rend ());
   const std::vector<std::uint32_t> sample = sampleNodes (asPositions (many), 700, Execution (2));
@@ -63,7 +63,7 @@ TEST (HashSampleTest, LimitsOfAStreamAreThoseOfTheCloud)
     EXPECT_EQ (nodesUpTo (smallest.limitFor (size), cloud, Execution (2)), sampleNodes (cloud, size, Execution (2)));
 }
 
-/** A grid of so many points a side, .01 apart, where float has steps of half a unit. */
+/** A grid of \a side x \a side points .01 apart, at coordinates where floats are half a unit apart. */
 Positions
 farGrid (int side)
 {

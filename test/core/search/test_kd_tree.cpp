@@ -74,7 +74,7 @@ TEST_P (KdTreeTest, AnswersQueriesAtThePointsThemselves)
   KdTree::Scratch scratch;
   for (std::uint32_t i = 0; i < cloud.size (); i += 3) {
     const auto& found = tree.search (cloud.base[i], cloud.offset[i], {9, no_radius}, scratch);
-    // A query does not know that it is a point: duplicates may stand before it, but all of the row is as near.
+    // The tree does not know which point queries, so a duplicate may precede it; but the distances must be the same.
     const IndexRow expected = bruteForceRow (cloud, i, {9, no_radius});
     ASSERT_EQ (found.size (), expected.size ());
     for (std::size_t j = 0; j < found.size (); ++j)
@@ -111,7 +111,7 @@ TEST_P (KdTreeTest, TiesGoToTheLowestRank)
   const Positions& cloud = GetParam ().positions;
   const auto numbers = permutation (cloud.size (), 17);
   const Elements rank (numbers.begin (), numbers.end ());
-  // The cloud in the order of its ranks, where rank and index are one.
+  // The cloud sorted by rank, so that rank and index are equal.
   std::vector<std::uint32_t> by_rank (cloud.size ());
   for (std::uint32_t i = 0; i < cloud.size (); ++i)
     by_rank[rank[i]] = i;

@@ -39,7 +39,7 @@ protected:
     EXPECT_EQ (graph.minRowLength (), shortestRow (graph));
   }
 
-  /** All that lie within the query and some more, backwards: a search that promises no order. */
+  /** A search that returns its neighbours unsorted: here, in reverse order. */
   static NeighborGraph::Search
   unorderedSearch (const Positions& cloud, const NeighborQuery& query)
   {

@@ -22,7 +22,7 @@ keyOf (const Point& point)
   return point.key;
 }
 
-/** Selects the n-th of some keys, and looks at all of what was left behind. */
+/** Selects the n-th of some keys, and checks the order and completeness of all points. */
 void
 expectSelected (const std::vector<float>& keys, std::size_t n)
 {
@@ -76,7 +76,7 @@ TEST (SelectNth, EndsOnKeysInOrderAndOnTies)
       keys[i] = static_cast<float> (i * 7919 % different);
     expectAllSelected (keys);
   }
-  keys.assign (keys.size (), 0.0f); // the two zeros are equal
+  keys.assign (keys.size (), 0.0f); // 0 and -0 are equal
   keys[5] = -0.0f;
   expectAllSelected (keys);
 }

@@ -24,7 +24,7 @@ square ()
   return points;
 }
 
-/** The neighbours of all nodes. */
+/** The set of all nodes' neighbours. */
 std::set<std::uint32_t>
 neighborsIn (const Searched& cloud, int halvings, ThinnedCloud::Parts parts)
 {

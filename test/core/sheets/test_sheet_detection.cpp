@@ -14,7 +14,7 @@ using namespace test_support;
 
 constexpr float spacing = 0.02f;
 
-/** \param[in] noise in spacings, along the normals; the sheets are looked for by it */
+/** \param[in] noise in spacings, along the normals; also given to the detection */
 SheetDetection
 sightOf (const Shape& shape, float noise, std::uint32_t k)
 {
@@ -59,7 +59,7 @@ TEST (SheetDetectionTest, SheetsMayBeLostInTheNoise)
 
 TEST (SheetDetectionTest, LooksAtTheSameAreOne)
 {
-  // Rows within a radius differ in length: those of the sample are shorter than others.
+  // Rows within a radius differ in length: those of the sample are shorter than the longest.
   const Searched cloud (parallelSheets (40, spacing, 1.2f * spacing).points, {32, 2.2f * spacing});
   const Execution execution (2);
   const std::vector<std::uint32_t> sample = sampleNodes (cloud.nodes, sheet_sample_size, execution);

@@ -37,7 +37,7 @@ TEST (SheetEstimateTest, SeesHowFarApartSheetsAreAndTheirNoise)
   }
 }
 
-/** As fine as the sampling, and higher than the noise: neighbours lie far from the tangent planes, but not on another
+/** Bumps as fine as the sampling and higher than the noise: neighbours lie far from the tangent planes, but on the same
   * sheet. */
 Shape
 bumpyPlane ()

@@ -34,7 +34,7 @@ separated (const Vectors& points, float distance, unsigned threads = 2)
   return result;
 }
 
-/** Of all neighbours, the share on the other of two sheets that follow each other in the cloud. */
+/** The share of neighbours that lie on the other sheet; the cloud holds first one sheet, then the other. */
 double
 shareOfOthers (const NeighborGraph& graph)
 {
@@ -50,8 +50,8 @@ shareOfOthers (const NeighborGraph& graph)
 
 TEST (SheetSeparationTest, RowsKeepToTheirSheet)
 {
-  // The rest stands along the outline, where a plane across both sheets fits as well, and in rows of one or two of
-  // them.
+  // Those that remain are along the outline, where a plane across both sheets fits as well, and in rows with only one
+  // or two of them.
   const std::pair<float, double> shares_left[] = {{1.5f, 0.35}, {2.0f, 0.2}, {3.0f, 0.2}};
   for (const auto& [gap, share_left] : shares_left) {
     const Separated sheets =
