@@ -20,11 +20,12 @@ class HoughNormalEstimationTool : public tools::Tool
                       "normal_z curvature beside the other fields.",
                       {"input.pcd|ply", "output.pcd|ply"});
     search_.addTo (options, std::to_string (standard_k));
-    options.add ("-confidence", "A", "probability with which the votes come close to their distribution, from 1e-6 to below 1",
-                 "0.95", shareOption (1e-6, hough_.confidence));
+    options.add ("-confidence", "A",
+                 "probability with which the votes come close to their distribution, from 1e-6 to below 1", "0.95",
+                 shareOption (1e-6, hough_.confidence));
     options.add ("-tolerance", "D",
-                 "how close they come, from 0.001 to below 1; the number of votes grows with its inverse square", "0.08",
-                 shareOption (1e-3, hough_.tolerance));
+                 "how close they come, from 0.001 to below 1; the number of votes grows with its inverse square",
+                 "0.08", shareOption (1e-3, hough_.tolerance));
     options.add ("-bands", "N", "bands of the accumulator between its poles, 2 to 1000", std::to_string (hough_.bands),
                  tools::integerOption (2, 1000, [this] (auto number) { hough_.bands = static_cast<int> (number); }));
     options.add ("-rotations", "N", "randomly rotated accumulators, 1 to 1000", std::to_string (hough_.rotations),
