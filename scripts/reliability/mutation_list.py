@@ -240,6 +240,8 @@ MUTATIONS = [
      "displacements"),
     ("normals are not brought to length 1", "src/vector_layout.cpp", "(normal / length).cast<float> ()",
      "normal.cast<float> ()"),
+    ("options of an earlier run outlive one that fails", "src/run_settings.cpp", "  beginRun ();\n", "  ;\n"),
+    ("rounding: its layers are a depth camera's", CORE + "noise/neighborhood_widening.cpp", "if (areOfRounding (layers, rounding))", "if (areOfRounding (layers, rounding) && false)"),
     ("a cancelled run is not told from a failed one", "src/run_settings.cpp", "cancelled_ = true;", ";"),
     ("two points make a surface", "src/input_checks.cpp", "if (finite_points < 3)", "if (finite_points < 2)"),
     ("a graph of another cloud is taken", "src/run_settings.cpp",
