@@ -112,6 +112,18 @@ running_job () # FOLDER
   return 1
 }
 
+# Kills the processes that slurmd has started for jobs. They are not its children; what tells them from those of another
+# Slurm is that they have its log open, from their first moments on.
+kill_steps ()
+{
+  for _ in $(seq 10); do
+    for step in $(pgrep -x slurmstepd); do
+      find "/proc/$step/fd" -lname "$folder/*" 2>/dev/null | grep -q . && kill -9 "$step"
+    done
+    sleep 0.1
+  done
+}
+
 # Prints the files of results that are newer than the file "before".
 changed_results ()
 {
@@ -161,11 +173,9 @@ check "the same command completes it" cmp whole.pcd killed.d.out/cloud.pcd
 
 # A node loses power, with everything that runs on it, and comes back: its jobs are put back into the queue.
 submit lost.d >/dev/null
-victim=$(running_job lost.d)
-steps=$(pgrep -P "$slurmd") # while slurmd is still their parent
+running_job lost.d >/dev/null
 kill -9 "$slurmd"
-[ -z "$steps" ] || xargs kill -9 2>/dev/null <<< "$steps"
-kill -9 "$victim" 2>/dev/null
+kill_steps
 pkill -9 -f "pcl_normal_smoothing_tiles run $folder/lost.d"
 for _ in $(seq 120); do sinfo --noheader --format %t | grep -q down && break || sleep 1; done
 check "the controller sees that the node is lost" grep -q down <(sinfo --noheader --format %t)
@@ -179,7 +189,7 @@ large=$((points * 5))
 "$tools/../test/reliability/large_cloud" large.pcd "$large"
 "$tools/pcl_normal_smoothing" large.pcd whole_large.pcd -preset fast >/dev/null || exit 1
 large_job () { "$root/scripts/tiles/slurm.sh" large.d large.out 4 large.pcd -max_points "$large" -preset fast >/dev/null; }
-SBATCH_RUN="--mem=140" large_job
+SBATCH_RUN="--mem=110" large_job
 wait_for_jobs
 check "a job that runs out of memory says so" grep -q "not enough memory" large.d.tiles-run.*.log
 check "and leaves no output" [ ! -e large.out/large.pcd ]
