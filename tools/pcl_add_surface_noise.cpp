@@ -17,7 +17,9 @@ class AddSurfaceNoiseTool : public tools::Tool
   {
     options.describe ("Makes a noisy cloud of the vertices of a mesh, in their order.",
                       {"mesh.ply|off|obj|stl", "output.pcd|ply"});
-    const tools::Words<tools::NoiseType> types {{"GN", tools::NoiseType::GN}, {"GR", tools::NoiseType::GR}};
+    tools::Words<tools::NoiseType> types;
+    for (const auto type : {tools::NoiseType::GN, tools::NoiseType::GR})
+      types.emplace_back (tools::nameOf (type), type);
     options.add ("-type", tools::wordList (types), "GN: along the normals, GR: along random directions", "GN",
                  tools::choiceOption<tools::NoiseType> (types, [this] (auto type) { type_ = type; }));
     options.add ("-sigma", "S", "standard deviation of the noise, in mean edge lengths of the mesh", "0.2",

@@ -2,6 +2,7 @@
 #include "results/study_file.h"
 
 #include "command_line/options.h"
+#include "files/checksum.h"
 #include "files/cloud_io.h"
 #include "files/output_file.h"
 #include "files/tool_error.h"
@@ -10,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 namespace pcl_normal_smoothing::evaluation
@@ -21,22 +21,17 @@ using Json = nlohmann::ordered_json;
 
 const char* const advice = "give another folder, or remove this one";
 
-/** FNV-1a over the bits of the vertices' coordinates and of the triangles' indices. */
+/** Checksum of the bits of the vertices' coordinates and of the triangles' indices. */
 std::string
 fingerprint (const tools::Mesh& mesh)
 {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&] (const void* data, std::size_t size) {
-    const auto* bytes = static_cast<const unsigned char*> (data);
-    for (std::size_t i = 0; i < size; ++i)
-      hash = (hash ^ bytes[i]) * 0x100000001b3;
+  tools::Checksum checksum;
+  const auto add = [&] (const auto& numbers) {
+    checksum.add ({reinterpret_cast<const char*> (numbers.data ()), numbers.size () * sizeof numbers[0]});
   };
-  for (const Eigen::Vector3d& vertex : mesh.vertices)
-    add (vertex.data (), 3 * sizeof (double));
-  add (mesh.triangles.data (), mesh.triangles.size () * sizeof (tools::Mesh::Triangle));
-  char digits[17];
-  std::snprintf (digits, sizeof digits, "%016llx", static_cast<unsigned long long> (hash));
-  return digits;
+  add (mesh.vertices);
+  add (mesh.triangles);
+  return checksum.text ();
 }
 
 Json

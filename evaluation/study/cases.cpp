@@ -20,19 +20,13 @@ shortest (double number)
 }
 } // namespace
 
-std::string
-noiseName (tools::NoiseType noise)
-{
-  return noise == tools::NoiseType::GN ? "GN" : "GR";
-}
-
 Row
 Case::row (const std::string& family, const std::string& method, const std::string& parameters) const
 {
   Row row;
   row.model = model.name;
   row.points = model.mesh.vertices.size ();
-  row.noise = noiseName (noise);
+  row.noise = tools::nameOf (noise);
   row.sigma = sigma;
   row.seed = seed;
   row.family = family;
@@ -53,7 +47,7 @@ Case::noisyPoints (double mean_edge) const
 std::string
 Case::name () const
 {
-  return model.name + "_" + noiseName (noise) + "_" + shortest (sigma) + "_" + std::to_string (seed);
+  return model.name + "_" + tools::nameOf (noise) + "_" + shortest (sigma) + "_" + std::to_string (seed);
 }
 
 std::string

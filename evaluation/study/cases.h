@@ -35,9 +35,6 @@ struct Case
   name () const;
 };
 
-std::string
-noiseName (tools::NoiseType noise);
-
 /** What all families of rows share while one case is processed. */
 struct CaseWork
 {

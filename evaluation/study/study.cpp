@@ -124,7 +124,7 @@ private:
   {
     StudyFile file {options_.command_line, {}, options_.sigmas, {}};
     for (const tools::NoiseType noise : options_.noises)
-      file.noises.push_back (noiseName (noise));
+      file.noises.push_back (tools::nameOf (noise));
     for (int seed = 1; seed <= options_.seeds; ++seed)
       file.seeds.push_back (static_cast<std::uint64_t> (seed));
     writeStudyFile (options_.folder, file, models_);

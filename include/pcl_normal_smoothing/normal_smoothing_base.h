@@ -5,7 +5,9 @@
 #include <pcl_normal_smoothing/smoothing_run.h>
 #include <pcl_normal_smoothing/smoothing_settings.h>
 
+#include <functional>
 #include <optional>
+#include <string>
 
 namespace pcl_normal_smoothing
 {

@@ -75,6 +75,12 @@ private:
 };
 } // namespace
 
+std::string
+nameOf (NoiseType type)
+{
+  return type == NoiseType::GN ? "GN" : "GR";
+}
+
 std::vector<Eigen::Vector3d>
 noisyVertices (const Mesh& mesh, NoiseType type, double sigma, std::uint64_t seed)
 {

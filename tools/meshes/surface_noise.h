@@ -3,6 +3,8 @@
 
 #include "mesh_io.h"
 
+#include <string>
+
 namespace pcl_normal_smoothing
 {
 namespace tools
@@ -12,6 +14,10 @@ enum class NoiseType
   GN, //!< along the area-weighted normal of the vertex, by N(0, sigma)
   GR  //!< along a uniformly random direction, by N(0, sigma)
 };
+
+/** As options and tables call it. */
+std::string
+nameOf (NoiseType type);
 
 /** Moves the vertices by noise of standard deviation \a sigma, in the mesh's unit. For one seed the result is the same
   * on every machine; how a vertex moves does not depend on those after it. */

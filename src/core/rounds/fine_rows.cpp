@@ -50,12 +50,13 @@ FineRows::FineRows (const NeighborGraph& graph,
   });
   parallelFor (graph.size (), execution, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
+      const Row row = graph.row (node);
       const float here = sigma * std::sqrt (variance_factors.empty () ? 1 : variance_factors[node]);
-      is_wide_[node] = here >= wide_ratio * meanIn (graph.row (node), spacings);
+      is_wide_[node] = row.size () > fine_k && here >= wide_ratio * meanIn (row, spacings);
     }
   });
   if (std::find (is_wide_.begin (), is_wide_.end (), 1) == is_wide_.end ())
-    std::vector<std::uint8_t> ().swap (is_wide_);
+    PaddedVector<std::uint8_t> ().swap (is_wide_);
 }
 
 BlockRows

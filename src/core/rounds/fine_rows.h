@@ -13,7 +13,7 @@ namespace pcl_normal_smoothing
 namespace core
 {
 /** Neighbourhoods of the fine rounds: the fine_k nearest where they are wider than the noise; else, mostly in dense
-  * places, max_row_length. */
+  * places, max_row_length, if the row has more than fine_k. */
 class FineRows
 {
 public:
@@ -55,7 +55,7 @@ public:
 
 private:
   const NeighborGraph& graph_;
-  std::vector<std::uint8_t> is_wide_; // per node; empty: no node is
+  PaddedVector<std::uint8_t> is_wide_; // per node; empty: no node is
 };
 } // namespace core
 } // namespace pcl_normal_smoothing

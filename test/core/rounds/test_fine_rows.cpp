@@ -74,6 +74,14 @@ TEST_F (FineRowsTest, WhereItIsWideNoneIs)
     EXPECT_EQ (sizeOfRow (even_, rows, node), max_row_length);
 }
 
+TEST_F (FineRowsTest, NoneIsWiderThanTheRowsOfTheGraph)
+{
+  const Searched short_rows (planeGrid (40, 1).points, {fine_k});
+  const FineRows rows = rowsOf (short_rows, 1);
+  EXPECT_TRUE (rows.areAllFine ());
+  EXPECT_EQ (sizeOfRow (short_rows, rows, 777), fine_k);
+}
+
 TEST_F (FineRowsTest, DensePlacesAreWideFirst)
 {
   const FineRows rows = rowsOf (uneven_, .45f);
