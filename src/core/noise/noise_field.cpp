@@ -22,9 +22,9 @@ constexpr float max_factor = 32;
 
 /** Ratio of the 9th to the 1st decile of the regions that chance, and detail that looks like noise, can explain. */
 double
-spreadByChance (double ratio)
+spreadWithDetail (double by_chance, double ratio)
 {
-  return 1.4 + .04 / std::max (ratio, .04);
+  return by_chance + .04 / std::max (ratio, .04);
 }
 
 // How far above that ratio the field counts in full; in between it counts in part.
@@ -47,13 +47,14 @@ constexpr LowerQuantile lower_quantiles[] = {{.25, static_cast<float> (quartile_
 // sampling by hash is not exact to the point.
 constexpr std::size_t least_to_see_detail = noise_sample_size * 3 / 4;
 
-/** How far differences between regions are trusted; 0: they may be chance. */
+/** How far differences between regions are trusted.
+  * \param[in] spread ratio of the 9th to the 1st decile up to which they are not */
 double
-trustIn (const RegionalField& deviations, double ratio)
+trustIn (const RegionalField& deviations, double spread)
 {
   const std::vector<float> factors = deviations.values ();
   const double high = quantile (factors, .9), low = quantile (factors, .1);
-  return ramp (high, spreadByChance (ratio) * low, spread_to_trust * low + 1e-30);
+  return ramp (high, spread * low, spread_to_trust * low + 1e-30);
 }
 } // namespace
 
@@ -97,12 +98,17 @@ relativeField (RegionalField values, float usual)
 }
 
 NoiseField
-estimateNoiseField (const std::vector<LocalValue>& variances, float spacing, double ratio, double certainty_of_detail)
+estimateNoiseField (const std::vector<LocalValue>& variances,
+                    float spacing,
+                    double ratio,
+                    double spread_by_chance,
+                    double certainty_of_detail)
 {
   RegionalField field = regionalMedians (variances, spacing);
   for (RegionalField::Region& region : field.regions)
     region.value = std::sqrt (region.value);
-  const auto trust = static_cast<float> ((1 - certainty_of_detail) * trustIn (field, ratio));
+  const auto trust =
+      static_cast<float> ((1 - certainty_of_detail) * trustIn (field, spreadWithDetail (spread_by_chance, ratio)));
   std::vector<float> of_sample;
   for (const LocalValue& point : variances)
     of_sample.push_back (field.valueAt (point.place, 1));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "noise_of_sample.h"
 #include "../quantile.h"
+#include "../ramp.h"
 #include "../spacing.h"
 #include "residual_quantiles.h"
 
@@ -88,25 +89,44 @@ localVariances (const NoiseSample& sample, const Factors& factors, std::size_t s
   return local;
 }
 
+// Ratio of the 9th to the 1st decile of the sigmas of regions that chance can explain: the more degrees of freedom a
+// neighbourhood has, the less its variance scatters.
+constexpr double spread_of_8 = 1.4, spread_of_12 = 1.25;
+
 NoiseField
 fieldOf (const NoiseSample& sample, Pattern pattern, double certainty_of_detail, const NoiseEstimate& noise)
 {
   const Factors factors = correctionsOf (sample, noise);
-  const std::size_t size = pattern == Pattern::SCAN_LINES ? of_12 : smallestToTrust (corrected (sample, factors));
+  const std::size_t size = pattern == Pattern::SCAN_LINES ? of_12 : sizeForField (corrected (sample, factors));
   return estimateNoiseField (localVariances (sample, factors, size), noise.spacing, noise.sigma / noise.spacing,
-                             certainty_of_detail);
+                             size == of_8 ? spread_of_8 : spread_of_12, certainty_of_detail);
 }
 
-/** \param[in,out] noise with spacing and field known; sigma is set */
+/** Share, 0 to 1, of the slant seen in even noise that counts where the noise varies as in \a field: a field takes slant
+  * for noise that varies, but slant alone makes regions differ little. */
+double
+shareOfSlant (const NoiseField& field)
+{
+  constexpr double most_by_slant = 2.8, surely_more = 3.3; // 9th decile of the factors over the 1st
+  const std::vector<float> factors = field.factors.values ();
+  return 1 - ramp<double> (quantile (factors, .9), most_by_slant * quantile (factors, .1),
+                           (surely_more - most_by_slant) * quantile (factors, .1));
+}
+
+/** \param[in,out] certainty_of_slant at least; raised to what is seen
+  * \param[in,out] noise with spacing and field known; sigma is set */
 void
-estimateSigma (const NoiseSample& sample, Pattern pattern, double certainty_of_detail, NoiseEstimate& noise)
+estimateSigma (const NoiseSample& sample,
+               Pattern pattern,
+               double certainty_of_detail,
+               double& certainty_of_slant,
+               NoiseEstimate& noise)
 {
   constexpr int iterations = 3;
-  double certainty_of_slant = 0;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     const ResidualVariances variances = corrected (sample, correctionsOf (sample, noise));
     if (iteration == 0) // later on sigma is larger, and density would seem to explain more
-      certainty_of_slant = (1 - certainty_of_detail) * certaintyOfSlant (variances);
+      certainty_of_slant = std::max (certainty_of_slant, (1 - certainty_of_detail) * certaintyOfSlant (variances));
     const double sigma =
         pattern == Pattern::SCAN_LINES ? sigmaAcrossLines (variances) : sigmaBy (variances, certainty_of_slant);
     noise.sigma = static_cast<float> (sigma * whatQuadricsFollow (sigma / noise.spacing));
@@ -131,10 +151,13 @@ noiseIn (const NoiseSample& sample, Pattern pattern)
   const double detail = pattern == Pattern::SCAN_LINES
                             ? 0
                             : certaintyOfDetail (localVariances (sample, as_they_are, of_12), noise.spacing);
-  estimateSigma (sample, pattern, detail, noise);
+  double slant = 0;
+  estimateSigma (sample, pattern, detail, slant, noise);
   noise.field = fieldOf (sample, pattern, detail, noise);
-  if (!noise.field.isEven ())
-    estimateSigma (sample, pattern, detail, noise);
+  if (!noise.field.isEven ()) {
+    slant *= shareOfSlant (noise.field);
+    estimateSigma (sample, pattern, detail, slant, noise);
+  }
   return noise;
 }
 

@@ -39,6 +39,10 @@ constexpr double factor_of_lower = 1.1, factor_of_median = 1.05, least_of_lower 
 // 12 nearest do not.
 constexpr double quantised_12_over_8 = 5, quantised_16_over_12 = 1.4;
 
+// Upper bound on the growth of the upper quartile from the 12 to the 16 nearest, as a ratio of sigmas, where there is
+// hardly any detail.
+constexpr double most_growth_without_detail = 1.07;
+
 // Dense relief, in ratios of sigmas: the lowest quantiles show one noise; the growth from which relief is seen, and by
 // how much more in full; the bound on sigma over that of the lowest decile.
 constexpr double one_noise = .85;
@@ -162,6 +166,13 @@ smallestToTrust (const ResidualVariances& variances)
                       varianceBy (lower, variances, of_16))
              ? of_12
              : of_8;
+}
+
+std::size_t
+sizeForField (const ResidualVariances& variances)
+{
+  const double growth = ratioOfSigmas (varianceBy (upper, variances, of_16), varianceBy (upper, variances, of_12));
+  return growth < most_growth_without_detail ? of_12 : smallestToTrust (variances);
 }
 
 double

@@ -28,6 +28,12 @@ constexpr double quartile_ratio_of_16 = 1.863;
 std::size_t
 smallestToTrust (const ResidualVariances& variances);
 
+/** The neighbourhoods that show best how the noise varies, of_8 or of_12. Variances of the larger scatter less, and few
+  * of these neighbourhoods lie along one line of a scanner's grid, where no residual is left. But they must not take
+  * detail for noise. */
+std::size_t
+sizeForField (const ResidualVariances& variances);
+
 /** Certainty, 0 to 1, that the noise is not along the normal but along rays, so that points show less of it where rays
   * meet the surface at a slant: then the lower quantiles are too low for a single sigma. Detail and edges make the
   * highest quantile too high instead, most of all for large neighbourhoods.

@@ -47,6 +47,17 @@ TEST (NoiseEstimateTest, NoiseAlongRaysIsThatOfSurfacesThatFaceThem)
   }
 }
 
+TEST (NoiseEstimateTest, WhereScanLinesMeetNoNoiseIsHidden)
+{
+  for (const double limit : {80., 85.}) // near the zenith most of the nearest lie on one line
+    for (const double step : {.7, 1.})
+      for (const double noise : {.005, .01, .02}) {
+        const double read = estimateOf (ScannedRoom (limit, step, step, noise).points).sigma;
+        EXPECT_GT (read, 0.8 * noise) << limit << " " << step << " " << noise;
+        EXPECT_LT (read, 1.7 * noise) << limit << " " << step << " " << noise;
+      }
+}
+
 TEST (NoiseEstimateTest, OutliersAreNoNoise)
 {
   for (const std::size_t every : {50, 20}) {

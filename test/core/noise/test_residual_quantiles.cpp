@@ -47,6 +47,15 @@ TEST (ResidualQuantilesTest, WhereCoordinatesComeInStepsEightTellNothing)
   }
 }
 
+TEST (ResidualQuantilesTest, LargerNeighbourhoodsShowHowTheNoiseVariesUnlessThereIsDetail)
+{
+  EXPECT_EQ (sizeForField (variances ({1, 1, 1})), of_12) << "noise";
+  EXPECT_EQ (sizeForField (variances ({.5, 1, 1})), of_12) << "scan lines";
+  EXPECT_EQ (sizeForField (variances ({1, 1.1, 1.3})), of_8) << "detail";
+  EXPECT_EQ (sizeForField (variances ({.01, 1, 1.3})), of_12) << "coordinates in steps";
+  EXPECT_EQ (sizeForField (variances ({0, 0, 0})), of_12) << "nothing";
+}
+
 TEST (ResidualQuantilesTest, WhatIsNotClumpedStaysAsItIsRead)
 {
   EXPECT_EQ (sigmaInClumps (variances ({0.8, 1, 1.1}), 0.3), 0.3) << "noise";

@@ -53,6 +53,7 @@ certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing);
 /** \param[in] variances residual variances for a sample of the whole cloud, in any order
   * \param[in] spacing between neighbouring points, > 0
   * \param[in] ratio of sigma to the spacing: the smaller, the more must regions differ, as detail looks like noise
+  * \param[in] spread_by_chance ratio of the 9th to the 1st decile of the sigmas of regions that chance explains
   * \param[in] certainty_of_detail 0 to 1: reduces the differences of regions by this share
   * \return factors relative to the median of the sample; no regions if they hardly differ, or the sample is too
   * small */
@@ -60,7 +61,8 @@ NoiseField
 estimateNoiseField (const std::vector<LocalValue>& variances,
                     float spacing,
                     double ratio,
-                    double certainty_of_detail = 0);
+                    double spread_by_chance,
+                    double certainty_of_detail);
 
 /** The field of a noise proportional to the regions' values, with factor 1 at the value \a usual, which is > 0. */
 NoiseField
