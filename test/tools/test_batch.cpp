@@ -134,7 +134,9 @@ TEST_F (Batch, InterruptedLeavesNothingHalfDone)
   RunningTool tool ({TOOLS_FOLDER "/pcl_normal_smoothing", "-input_dir", path ("in.d"), "-output_dir", path ("out.d"),
                      "-update", "paper", "-point_iterations", "1000000"},
                     folder_);
-  std::this_thread::sleep_for (std::chrono::milliseconds (700));
+  for (int i = 0; i < 6000 && !fs::exists (path ("out.d")); ++i)
+    std::this_thread::sleep_for (std::chrono::milliseconds (10));
+  std::this_thread::sleep_for (std::chrono::milliseconds (500));
   tool.send (SIGTERM);
   EXPECT_EQ (tool.wait ().status, 128 + SIGTERM);
   std::this_thread::sleep_for (std::chrono::milliseconds (200));
