@@ -17,9 +17,7 @@ class AddSurfaceNoiseTool : public tools::Tool
   {
     options.describe ("Makes a noisy cloud of the vertices of a mesh, in their order.",
                       {"mesh.ply|off|obj|stl", "output.pcd|ply"});
-    tools::Words<tools::NoiseType> types;
-    for (const auto type : {tools::NoiseType::GN, tools::NoiseType::GR})
-      types.emplace_back (tools::nameOf (type), type);
+    const tools::Words<tools::NoiseType> types = tools::namedNoiseTypes ();
     options.add ("-type", tools::wordList (types), "GN: along the normals, GR: along random directions", "GN",
                  tools::choiceOption<tools::NoiseType> (types, [this] (auto type) { type_ = type; }));
     options.add ("-sigma", "S", "standard deviation of the noise, in mean edge lengths of the mesh", "0.2",

@@ -50,9 +50,7 @@ addModelOptions (tools::Options& options, StudyOptions& study)
                "0", listOption (study.subdivisions, [] (const auto& use) {
                  return tools::integerOption (0, most_subdivisions, [use] (auto n) { use (static_cast<int> (n)); });
                }));
-  tools::Words<tools::NoiseType> types;
-  for (const auto type : {tools::NoiseType::GN, tools::NoiseType::GR})
-    types.emplace_back (tools::nameOf (type), type);
+  const tools::Words<tools::NoiseType> types = tools::namedNoiseTypes ();
   options.add ("-noise", "GN,GR", "GN: along the normals, GR: along random directions", "GN,GR",
                listOption (study.noises, [types] (const auto& use) {
                  return tools::choiceOption<tools::NoiseType> (types, [use] (auto type) { use (type); });

@@ -81,6 +81,15 @@ nameOf (NoiseType type)
   return type == NoiseType::GN ? "GN" : "GR";
 }
 
+std::vector<std::pair<std::string, NoiseType>>
+namedNoiseTypes ()
+{
+  std::vector<std::pair<std::string, NoiseType>> types;
+  for (const NoiseType type : {NoiseType::GN, NoiseType::GR})
+    types.emplace_back (nameOf (type), type);
+  return types;
+}
+
 std::vector<Eigen::Vector3d>
 noisyVertices (const Mesh& mesh, NoiseType type, double sigma, std::uint64_t seed)
 {

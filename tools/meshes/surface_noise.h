@@ -4,6 +4,8 @@
 #include "mesh_io.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pcl_normal_smoothing
 {
@@ -18,6 +20,10 @@ enum class NoiseType
 /** As options and tables call it. */
 std::string
 nameOf (NoiseType type);
+
+/** All types, with their names. */
+std::vector<std::pair<std::string, NoiseType>>
+namedNoiseTypes ();
 
 /** Moves the vertices by noise of standard deviation \a sigma, in the mesh's unit. For one seed the result is the same
   * on every machine; how a vertex moves does not depend on those after it. */

@@ -113,7 +113,7 @@ shareOfSlant (const NoiseField& field)
                            (surely_more - most_by_slant) * quantile (factors, .1));
 }
 
-/** \param[in,out] certainty_of_slant at least; raised to what is seen
+/** \param[in,out] certainty_of_slant on entry the least that counts, on return the larger of that and what is seen
   * \param[in,out] noise with spacing and field known; sigma is set */
 void
 estimateSigma (const NoiseSample& sample,

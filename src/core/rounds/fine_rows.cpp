@@ -56,7 +56,7 @@ FineRows::FineRows (const NeighborGraph& graph,
     }
   });
   if (std::find (is_wide_.begin (), is_wide_.end (), 1) == is_wide_.end ())
-    PaddedVector<std::uint8_t> ().swap (is_wide_);
+    std::vector<std::uint8_t> ().swap (is_wide_);
 }
 
 BlockRows

@@ -55,7 +55,7 @@ public:
 
 private:
   const NeighborGraph& graph_;
-  PaddedVector<std::uint8_t> is_wide_; // per node; empty: no node is
+  std::vector<std::uint8_t> is_wide_; // per node; empty: no node is
 };
 } // namespace core
 } // namespace pcl_normal_smoothing
