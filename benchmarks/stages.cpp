@@ -164,7 +164,7 @@ smoothInRounds (benchmark::State& state)
   const Input& input = inputOf (state);
   core::RobustSmoothingOptions options;
   options.fast = fast;
-  options.rounds = fast ? 3 : 6; // as in the presets
+  options.count = fast ? 3 : 6; // as in the presets
   options.noise = core::estimateNoise (*input.graph, input.nodes, core::Execution (0));
   options.max_displacement = 5 * options.noise.sigma;
   for (auto _ : state) {

@@ -18,27 +18,27 @@ floatLength (double length, const std::string& name, const std::string& setter)
 }
 
 core::NeighborQuery
-makeNeighborQuery (int k, double radius, double max_distance)
+makeNeighborQuery (int k, double radius, double max_distance, const QueryNames& names)
 {
+  const std::string by_k = names.k, by_radius = names.radius, limit = names.max_distance;
   if (k < 0)
-    throw core::Error ("k is " + std::to_string (k) + ": give setKSearch a positive number of neighbours");
+    throw core::Error ("k is " + std::to_string (k) + ": give " + by_k + " a positive number of neighbours");
   if (!(radius >= 0) || std::isinf (radius))
-    throw core::Error ("the radius is " + core::numberText (radius) + ": give setRadiusSearch a positive length");
+    throw core::Error ("the radius is " + core::numberText (radius) + ": give " + by_radius + " a positive length");
   if (!(max_distance >= 0))
-    throw core::Error ("the maximal neighbour distance is " + core::numberText (max_distance) +
-                       ": give setMaxNeighborDistance a positive length, or 0 for no limit");
+    throw core::Error ("the maximal neighbour distance is " + core::numberText (max_distance) + ": give " + limit +
+                       " a positive length, or 0 for no limit");
   if (k > 0 && radius > 0)
     throw core::Error ("both k (" + std::to_string (k) + ") and a radius (" + core::numberText (radius) +
-                       ") are set: set one of them to 0, or use setMaxNeighborDistance to limit k");
+                       ") are set: set one of them to 0, or use " + limit + " to limit k");
   if (k == 0 && radius == 0)
-    throw core::Error ("neither k nor a radius is set: call setKSearch or setRadiusSearch");
+    throw core::Error ("neither k nor a radius is set: give " + by_k + " or " + by_radius + " one");
   core::NeighborQuery query;
   query.k = static_cast<std::uint32_t> (k);
   if (radius > 0)
-    query.radius = floatLength (radius, "the radius", "setRadiusSearch");
+    query.radius = floatLength (radius, "the radius", by_radius);
   if (max_distance > 0)
-    query.radius =
-        std::min (query.radius, floatLength (max_distance, "the maximal neighbour distance", "setMaxNeighborDistance"));
+    query.radius = std::min (query.radius, floatLength (max_distance, "the maximal neighbour distance", limit));
   return query;
 }
 

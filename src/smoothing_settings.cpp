@@ -26,7 +26,7 @@ presetOptions (SmoothingPreset preset)
   options.update.iterations = 2;
   options.rounds.noise = {-1, -1};
   options.rounds.fast = preset == SmoothingPreset::FAST;
-  options.rounds.rounds = options.rounds.fast ? 3 : 6;
+  options.rounds.count = options.rounds.fast ? 3 : 6;
   options.rounds.sheet_distance = -1;
   return options;
 }
@@ -63,7 +63,7 @@ core::SmoothingOptions
 SmoothingSettings::options () const
 {
   core::SmoothingOptions options = presetOptions (preset_);
-  options.robust = !choosesChain ();
+  options.in_rounds = !choosesChain ();
   overwrite (options.normals, normal_source_);
   overwrite (options.filter.weight, normal_weight_);
   overwrite (options.filter.threshold, threshold_);
@@ -73,11 +73,11 @@ SmoothingSettings::options () const
   overwrite (options.update.rule, update_rule_);
   overwrite (options.update.sigma_s, update_sigma_s_);
   overwrite (options.update.iterations, point_iterations_);
-  overwrite (options.rounds.rounds, point_iterations_);
+  overwrite (options.rounds.count, point_iterations_);
   overwriteLength (options.update.max_displacement, max_displacement_, "the maximal displacement",
                    "setMaxDisplacement");
   options.rounds.max_displacement = options.update.max_displacement;
-  if (options.robust) { // the chain uses none of these
+  if (options.in_rounds) { // the chain uses none of these
     checkLength (noise_sigma_, "the noise's sigma", "setNoiseSigma");
     checkLength (point_spacing_, "the spacing", "setPointSpacing");
     checkLength (sheet_distance_, "the sheet distance", "setSheetDistance", false);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clouds/cloud_graph.h"
+#include "clouds/cloud_of_points.h"
 #include "command_line/common_options.h"
 #include "command_line/tool.h"
-#include "files/field_values.h"
 #include "meshes/mesh_measures.h"
 #include "meshes/surface_noise.h"
 
@@ -31,16 +31,10 @@ class AddSurfaceNoiseTool : public tools::Tool
   {
     tools::checkOutput (options.file (1), format_.format);
     const tools::Mesh mesh = tools::loadMesh (options.file (0));
-    const auto points = tools::noisyVertices (mesh, type_, sigma_ * tools::meanEdgeLength (mesh), seed_);
-    tools::CloudFile file;
-    file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
-    file.cloud->width = static_cast<pcl::uindex_t> (points.size ());
-    file.cloud->height = 1;
-    tools::addFloatFields (*file.cloud, {"x", "y", "z"});
-    const VectorLayout layout = *VectorLayout::find (*file.cloud, {"x", "y", "z"});
-    for (std::size_t i = 0; i < points.size (); ++i)
-      layout.set (file.cloud->data.data (), i, points[i]);
-    tools::saveResult (file, options.file (1), format_.format);
+    const double edge = tools::meanEdgeLength (mesh);
+    // Coordinates of maps are large: their steps in float must not add noise of their own.
+    const auto cloud = tools::cloudOfPoints (tools::noisyVertices (mesh, type_, sigma_ * edge, seed_), edge / 64);
+    tools::saveResult (cloud, options.file (1), format_.format);
   }
 
   tools::NoiseType type_ = tools::NoiseType::GN;

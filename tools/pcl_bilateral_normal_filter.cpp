@@ -9,8 +9,6 @@ using namespace pcl_normal_smoothing;
 
 namespace
 {
-constexpr int standard_k = 15;
-
 class BilateralNormalFilterTool : public tools::Tool
 {
   void
@@ -24,7 +22,7 @@ class BilateralNormalFilterTool : public tools::Tool
     settings_.setThreshold (standard.getThreshold ());
     settings_.setSigmaS (standard.getSigmaS ());
     settings_.setNormalIterations (standard.getMaxIterations ());
-    search_.addTo (options, std::to_string (standard_k));
+    search_.addTo (options, std::to_string (search_.standard_k));
     tools::addFilterOptions (options, tools::standardOf (settings_), settings_);
     tools::addOrientedOption (options, settings_);
     format_.addTo (options);
@@ -33,7 +31,7 @@ class BilateralNormalFilterTool : public tools::Tool
   void
   work (const tools::Options& options) override
   {
-    const core::NeighborQuery query = search_.query (standard_k);
+    const core::NeighborQuery query = search_.query ();
     tools::checkOutput (options.file (1), format_.format);
     tools::CloudFile file = tools::loadInput (options.file (0));
     const VectorLayout layout = tools::normalLayoutOf (file, tools::normals_advice);

@@ -4,13 +4,12 @@
 #include "command_line/tool.h"
 
 #include <pcl_normal_smoothing/core/chain/surface_estimation.h>
+#include <pcl_normal_smoothing/core/error.h>
 
 using namespace pcl_normal_smoothing;
 
 namespace
 {
-constexpr int standard_k = 15;
-
 class HoughNormalEstimationTool : public tools::Tool
 {
   void
@@ -19,13 +18,13 @@ class HoughNormalEstimationTool : public tools::Tool
     options.describe ("Estimates normals by a randomised Hough transform, sharp beside edges; writes normal_x normal_y "
                       "normal_z curvature beside the other fields.",
                       {"input.pcd|ply", "output.pcd|ply"});
-    search_.addTo (options, std::to_string (standard_k));
+    search_.addTo (options, std::to_string (search_.standard_k));
     options.add ("-confidence", "A",
-                 "probability with which the votes come close to their distribution, from 1e-6 to below 1", "0.95",
-                 shareOption (1e-6, hough_.confidence));
+                 "probability with which the votes come close to their distribution, from 1e-6 to below 1",
+                 core::numberText (hough_.confidence), shareOption (1e-6, hough_.confidence));
     options.add ("-tolerance", "D",
                  "how close they come, from 0.001 to below 1; the number of votes grows with its inverse square",
-                 "0.08", shareOption (1e-3, hough_.tolerance));
+                 core::numberText (hough_.tolerance), shareOption (1e-3, hough_.tolerance));
     options.add ("-bands", "N", "bands of the accumulator between its poles, 2 to 1000", std::to_string (hough_.bands),
                  tools::integerOption (2, 1000, [this] (auto number) { hough_.bands = static_cast<int> (number); }));
     options.add ("-rotations", "N", "randomly rotated accumulators, 1 to 1000", std::to_string (hough_.rotations),
@@ -44,7 +43,7 @@ class HoughNormalEstimationTool : public tools::Tool
   void
   work (const tools::Options& options) override
   {
-    const core::NeighborQuery query = search_.query (standard_k);
+    const core::NeighborQuery query = search_.query ();
     tools::checkOutput (options.file (1), format_.format);
     tools::CloudFile file = tools::loadInput (options.file (0));
     const core::Execution execution (search_.threads, tools::progressOnTerminal ());

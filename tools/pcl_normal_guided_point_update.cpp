@@ -9,8 +9,6 @@ using namespace pcl_normal_smoothing;
 
 namespace
 {
-constexpr int standard_k = 15;
-
 class NormalGuidedPointUpdateTool : public tools::Tool
 {
   void
@@ -23,7 +21,7 @@ class NormalGuidedPointUpdateTool : public tools::Tool
     settings_.setUpdateSigmaS (standard.getSigmaS ());
     settings_.setPointIterations (standard.getMaxIterations ());
     settings_.setMaxDisplacement (standard.getMaxDisplacement ());
-    search_.addTo (options, std::to_string (standard_k));
+    search_.addTo (options, std::to_string (search_.standard_k));
     tools::addUpdateOptions (options, tools::standardOf (settings_), settings_);
     tools::addMotionOptions (options, "iterations", tools::standardOf (settings_), settings_);
     tools::addOrientedOption (options, settings_);
@@ -33,7 +31,7 @@ class NormalGuidedPointUpdateTool : public tools::Tool
   void
   work (const tools::Options& options) override
   {
-    const core::NeighborQuery query = search_.query (standard_k);
+    const core::NeighborQuery query = search_.query ();
     tools::checkOutput (options.file (1), format_.format);
     tools::CloudFile file = tools::loadInput (options.file (0));
     const VectorLayout normals = tools::normalLayoutOf (file, tools::normals_advice);

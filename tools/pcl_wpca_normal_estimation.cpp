@@ -9,7 +9,6 @@ using namespace pcl_normal_smoothing;
 
 namespace
 {
-constexpr int standard_k = 15;
 constexpr int least_k = 4; // the point itself is left out
 
 class WPCANormalEstimationTool : public tools::Tool
@@ -20,14 +19,14 @@ class WPCANormalEstimationTool : public tools::Tool
     options.describe (
         "Estimates normals by weighted PCA; writes normal_x normal_y normal_z curvature beside the other fields.",
         {"input.pcd|ply", "output.pcd|ply"});
-    search_.addTo (options, std::to_string (standard_k), least_k);
+    search_.addTo (options, std::to_string (search_.standard_k), least_k);
     format_.addTo (options);
   }
 
   void
   work (const tools::Options& options) override
   {
-    const core::NeighborQuery query = search_.query (standard_k);
+    const core::NeighborQuery query = search_.query ();
     tools::checkOutput (options.file (1), format_.format);
     tools::CloudFile file = tools::loadInput (options.file (0));
     const core::Execution execution (search_.threads, tools::progressOnTerminal ());

@@ -35,7 +35,8 @@ graphSearch (const typename pcl::search::Search<PointT>::Ptr& search,
   * \param[in] search a search object, called from many threads at once; empty: this module's own search, exact and
   * faster
   * \param[in] threads 0: all cores
-  * \throw core::Error if k and radius are both 0, or one is negative */
+  * \throw core::Error if the cloud is null, if k and radius are both 0, or if one is negative, not finite or beyond the
+  * range of float */
 template <typename PointT>
 NeighborGraph::ConstPtr
 buildNeighborGraph (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,

@@ -40,7 +40,7 @@ protected:
   bool
   joinsCopies () const override
   {
-    return options ().robust;
+    return options ().in_rounds;
   }
 
   /** Searches neighbours and smooths; afterwards usedOptions are those of this run.

@@ -21,11 +21,13 @@ enum class Outcome
   FAILED
 };
 
-/** Settings common to all classes of this module: threads, progress, a shared neighbour graph, the last error. */
+/** Settings common to all classes of this module: threads, progress, a shared neighbour graph, the farthest neighbour,
+  * the last error. Filters have k and the radius from SearchSettings, features from pcl::Feature. */
 class RunSettings
 {
 public:
-  /** Upper bound on the distance of neighbours, in the cloud's unit; limits the k nearest. Default 0: no limit. */
+  /** Neighbours are closer than this, in the cloud's unit, whether they are searched by k or by radius. Default 0: no
+    * limit. */
   void
   setMaxNeighborDistance (double distance)
   {

@@ -22,7 +22,8 @@ enum class SmoothingPreset
   * WPCA, k 15, Gaussian weights, 2 normal iterations, 2 compensated point iterations, except for what is set. The
   * defaults given below for those parameters are the chain's, and PAPER's where they differ.
   *
-  * Setters that take a std::optional set nothing by std::nullopt: what was set before is taken back. */
+  * std::nullopt, passed to a setter that takes a std::optional, undoes an earlier call: the preset or the cloud decides
+  * again. */
 class SmoothingSettings
 {
 public:
@@ -156,8 +157,8 @@ public:
     widen_neighborhoods_ = widen;
   }
 
-  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds; if neighbourhoods are
-    * widened, between neighbours. Default: estimated. */
+  /** Distance between neighbouring points, in the cloud's unit, range >= 0, for rounds. Where neighbourhoods are
+    * widened it is the larger distance between neighbours in those. Default: estimated. */
   void
   setPointSpacing (std::optional<double> spacing)
   {
@@ -165,10 +166,13 @@ public:
   }
 
   /** A neighbour farther than this from the mean of both points' tangent planes may lie on another sheet and does
-    * not count, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one sheet. Default: if the cloud
-    * shows close sheets, .36 of the gap between them, at most the smaller of 4 sigma and 1.2 spacings; if it shows
-    * the layers of a depth camera, infinity; else max (4 sigma, min (4 times the largest sigma, 1.2 spacings)), but
-    * infinity if 4 times the largest sigma is more than three times that, and for FAST, except on scan lines. */
+    * not count, in the cloud's unit, range >= 0, for rounds; infinity: all lie on one sheet. Default, the first that
+    * applies:
+    * - the cloud shows close sheets: .36 of the gap between them, at most the smaller of 4 sigma and 1.2 spacings;
+    * - it shows the layers of a depth camera: infinity;
+    * - FAST, except on scan lines: infinity;
+    * - else D = max (4 sigma, min (4 times the largest sigma, 1.2 spacings)), or infinity if 4 times the largest
+    *   sigma is more than 3 D. */
   void
   setSheetDistance (std::optional<double> distance)
   {

@@ -15,8 +15,9 @@ namespace pcl_normal_smoothing
   * usedOptions contain what it used.
   *
   * Uses a sample of about 4,096 points, chosen by their coordinates; the order of the points does not matter, and
-  * points in one place count as one, unless a graph is set. The 16 nearest points are searched, unless a graph or a
-  * larger k is set. With setIndices only the indexed points are the cloud: if these are not all finite points, a
+  * points in one place count as one, unless a graph is set. Searches the 16 nearest points, unless k, a radius or a
+  * graph is set; where that gives a point fewer, the 16 nearest of the sample are searched besides, and noise wider
+  * than the spacing is not looked for. With setIndices only the indexed points are the cloud: if these are not all finite points, a
   * search object (setSearchMethod) is given an unorganised copy of them, and a neighbour graph is refused. */
 template <typename PointT>
 class SurfaceNoiseEstimation : public pcl::PCLBase<PointT>, public SearchSettings<PointT>
@@ -25,8 +26,8 @@ public:
   using Ptr = pcl::shared_ptr<SurfaceNoiseEstimation<PointT>>;
   using ConstPtr = pcl::shared_ptr<const SurfaceNoiseEstimation<PointT>>;
 
-  /** Estimates the noise of the input cloud. \return false on an error, see getErrorMessage; sigma and spacing are
-    * then 0 */
+  /** Estimates the noise of the input cloud. \return false on an error or if cancelled, see getErrorMessage; sigma
+    * and spacing are then 0 */
   bool
   compute ();
 

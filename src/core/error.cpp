@@ -2,7 +2,7 @@
 #include <pcl_normal_smoothing/core/error.h>
 
 #include <array>
-#include <cstdio>
+#include <charconv>
 
 namespace pcl_normal_smoothing
 {
@@ -12,8 +12,9 @@ std::string
 numberText (double number)
 {
   std::array<char, 32> text;
-  std::snprintf (text.data (), text.size (), "%g", number);
-  return text.data ();
+  // Unlike printf, whose decimal point is that of the user's language.
+  const auto end = std::to_chars (text.begin (), text.end (), number, std::chars_format::general, 6).ptr;
+  return {text.begin (), end};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -34,20 +34,20 @@ check (const SmoothingOptions& options)
   check (options.update);
   const bool oriented = options.filter.oriented || options.update.oriented || options.rounds.oriented;
   if (oriented && options.normals != NormalSource::INPUT)
-    throw Error ("the normals are called oriented, but those that are estimated have arbitrary signs: "
-                 "read oriented ones from the input (NormalSource::INPUT), or do not call them oriented");
+    throw Error ("oriented normals are asked for, but those that are estimated have arbitrary signs: "
+                 "give oriented ones with the input (NormalSource::INPUT), or call setNormalsOriented (false)");
   RobustSmoothingOptions rounds = options.rounds;
   rounds.noise.sigma = std::max (rounds.noise.sigma, 0.0f); // below 0 means that it is to be estimated
   rounds.noise.spacing = std::max (rounds.noise.spacing, 0.0f);
   rounds.sheet_distance = std::max (rounds.sheet_distance, 0.0f);
-  if (options.robust)
+  if (options.in_rounds)
     check (rounds);
 }
 
 void
 checkNeighborCount (const SmoothingOptions& options, int k)
 {
-  if (!options.robust)
+  if (!options.in_rounds)
     return checkNeighborCount (options.normals, k);
   if (k > 0 && k < min_fit_points)
     throw Error ("k is " + std::to_string (k) + ", but the rounds fit quadrics, which need " +
@@ -58,7 +58,7 @@ int
 smoothingDepth (const SmoothingOptions& options)
 {
   const int first_normals = options.normals == NormalSource::INPUT ? 0 : 1;
-  if (options.robust)
+  if (options.in_rounds)
     return roundsDepth (options.rounds, first_normals);
   return first_normals + options.filter.iterations + options.update.iterations;
 }
@@ -77,7 +77,7 @@ estimateFirstNormals (const NeighborGraph& graph,
                       MovingSurface& surface)
 {
   Vectors& normals = surface.normals;
-  if (options.robust && options.normals == NormalSource::WPCA)
+  if (options.in_rounds && options.normals == NormalSource::WPCA)
     normals = startNormals (graph, surface.positions, execution.part (0, 0.1));
   else if (options.normals != NormalSource::INPUT)
     normals = estimateNormals (graph, surface.positions, makeEstimator (options.normals, options.hough),
@@ -104,7 +104,7 @@ smoothByNormals (const NeighborGraph::ConstPtr& graph,
                  const Execution& execution,
                  MovingSurface& surface)
 {
-  if (options.robust)
+  if (options.in_rounds)
     return smoothRobustly (*graph, options.rounds, execution.part (0.3, 1), surface);
   filterNormals (*graph, surface.positions, options.filter, execution.part (0.3, 0.7), surface.normals);
   updatePoints (graph, surface.normals, options.update, search_again, execution.part (0.7, 1), surface.positions);

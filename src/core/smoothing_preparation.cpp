@@ -16,10 +16,6 @@ namespace
 {
 // Upper bound on the displacement of a point, in standard deviations of the noise.
 constexpr float displacement_sigmas = 5;
-// The sheet distance in sigmas if no sheets are seen: farther points are beyond an edge, or on another side of a wall.
-constexpr float sheet_sigmas = 4;
-// Where noise varies, the largest noise may raise the distance to at most this many spacings.
-constexpr float sheet_spacings = 1.2f;
 // If the largest noise exceeds the distance by more than this factor, no distance separates sheets from noise
 // everywhere: it is infinite.
 constexpr float most_over_sheets = 3;
@@ -29,9 +25,9 @@ constexpr float share_of_gap = .36f;
 constexpr float sheet_noise_factor = 1.4f;
 // Upper bound on the noise in rows without other sheets, over that before they were separated.
 constexpr float most_over_unseparated = 1.2f;
-// Noise as wide as the spacing is estimated as .7 to .9 of its true sigma, and as .8 spacings at most. So sigma is
-// raised from the first ratio to the spacing on, in full from the second; noise of .7, read in full, is smoothed as
-// well by that.
+// Noise about as wide as the spacing is read too small: as .7 to .9 of its sigma, and never as more than .8 spacings.
+// So sigma is multiplied: by 1 where sigma over the spacing is up to perhaps_wide, by underestimated_factor from
+// as_if_wide on, and linearly in between. A true .7 is raised too, and is smoothed no worse.
 constexpr float perhaps_wide = .67f;
 constexpr float as_if_wide = .74f;
 constexpr float underestimated_factor = 1.6f;
@@ -47,12 +43,13 @@ knownNoise (const NoiseEstimate& estimated, const SmoothingOptions& options)
           options.noise_varies ? estimated.field : given.field};
 }
 
-/** The sheet distance if no sheets are seen: above the noise everywhere. */
+/** The sheet distance if no sheets are seen: above the noise everywhere, for farther points are beyond an edge, or on
+  * another side of a wall. */
 float
 distanceOfOneSheet (const NoiseEstimate& noise)
 {
   const float usual = sheet_sigmas * noise.sigma, largest = usual * noise.field.largestFactor ();
-  const float distance = std::max (usual, std::min (largest, sheet_spacings * noise.spacing));
+  const float distance = std::max (usual, std::min (largest, most_sheet_spacings * noise.spacing));
   return largest > most_over_sheets * distance ? std::numeric_limits<float>::infinity () : distance;
 }
 
@@ -145,7 +142,7 @@ SmoothingPreparation::areLayers (const NoiseEstimate& before,
 void
 SmoothingPreparation::complete (SmoothingOptions& options)
 {
-  if (!options.robust)
+  if (!options.in_rounds)
     return;
   const bool needs_sheets = needsSheets (options);
   NoiseEstimate noise = needsNoise (options) ? noiseBeforeSeparation () : NoiseEstimate ();

@@ -157,7 +157,7 @@ prepareSmoothing (const Execution& execution,
                   MovingSurface& surface)
 {
   WholeCloud cloud (surface, execution, graph);
-  const bool moves = options.robust && options.rounds.rounds > 0 && options.rounds.noise.sigma != 0;
+  const bool moves = options.in_rounds && options.rounds.count > 0 && options.rounds.noise.sigma != 0;
   const bool may_project = options.normals != NormalSource::INPUT;
   options.widen_neighborhoods = moves && options.widen_neighborhoods && cloud.widen (may_project);
   options.rounds.along_rays = cloud.isOfCamera ();

@@ -9,6 +9,7 @@
 #include <pcl/search/organized.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -57,6 +58,25 @@ public:
   {
     throw std::runtime_error ("the index is corrupt");
   }
+};
+
+/** Throws after a number of queries. */
+template <typename PointT>
+class TiringSearch : public pcl::search::KdTree<PointT>
+{
+public:
+  explicit TiringSearch (int queries) : queries_ (queries) {}
+
+  int
+  nearestKSearch (const PointT& point, int k, pcl::Indices& indices, std::vector<float>& sq_dists) const override
+  {
+    if (queries_-- <= 0)
+      throw std::runtime_error ("the index is tired");
+    return pcl::search::KdTree<PointT>::nearestKSearch (point, k, indices, sq_dists);
+  }
+
+private:
+  mutable std::atomic<int> queries_;
 };
 
 /** Finds at most a given number of points and, as old searches do, leaves the vectors at the size they had. */

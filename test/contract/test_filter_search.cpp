@@ -88,6 +88,64 @@ TYPED_TEST (FilterSearch, APointMovedBehindItsPointerIsFoundWhereItIs)
   }
 }
 
+/** Some of PCL's searches find points exactly at the radius, others not. */
+TYPED_TEST (FilterSearch, APointAtTheRadiusIsNoNeighbour)
+{
+  using PointT = typename TestFixture::Point;
+  Vectors grid, up;
+  for (int i = 0; i < 100; ++i) {
+    grid.emplace_back (0.5f * static_cast<float> (i % 10), 0.5f * static_cast<float> (i / 10), 0.f);
+    up.emplace_back (0.f, 0.f, 1.f);
+  }
+  const auto cloud = makeCloud<PointT> (grid, up);
+  std::vector<typename pcl::search::Search<PointT>::Ptr> searches = userSearches<PointT> ();
+  searches.push_back (nullptr);
+  for (const auto& search : searches) {
+    const auto graph = buildNeighborGraph<PointT> (cloud, 0, 0.5, search);
+    for (std::uint32_t node = 0; node < graph->size (); ++node)
+      EXPECT_EQ (graph->row (node).size (), 1u) << (search ? search->getName () : "own");
+  }
+}
+
+TYPED_TEST (FilterSearch, AGraphOfNoCloudIsAnErrorThatNamesTheArgument)
+{
+  using PointT = typename TestFixture::Point;
+  const auto messageOf = [] (const auto& cloud, int k, double radius) -> std::string {
+    try {
+      buildNeighborGraph<PointT> (cloud, k, radius);
+      return "";
+    }
+    catch (const pcl_normal_smoothing::core::Error& error) {
+      return error.what ();
+    }
+  };
+  EXPECT_TRUE (contains (messageOf (typename TestFixture::CloudPtr (), 10, 0), "no cloud"));
+  EXPECT_TRUE (contains (messageOf (this->cloud_, -5, 0), "the argument k"));
+  EXPECT_TRUE (contains (messageOf (this->cloud_, 0, nan_float), "the argument radius"));
+  EXPECT_TRUE (contains (messageOf (this->cloud_, 10, nan_float), "the argument radius"));
+  EXPECT_TRUE (contains (messageOf (this->cloud_, 0, 0), "the argument k or the argument radius"));
+}
+
+TYPED_TEST (FilterSearch, ASearchIsGivenBackEvenAfterAnError)
+{
+  if constexpr (TestFixture::Traits::writes_points) {
+    using PointT = typename TestFixture::Point;
+    for (const int queries : {450, 1 << 30}) { // 300 of the first search, and half of the second one's
+      TypeParam filter;
+      this->prepare (filter);
+      filter.setSearchInterval (1);
+      const auto search = std::make_shared<TiringSearch<PointT>> (queries);
+      filter.setSearchMethod (search);
+      typename TestFixture::Cloud output;
+      filter.filter (output);
+      EXPECT_EQ (filter.getErrorMessage ().empty (), queries > 450);
+      ASSERT_TRUE (search->getInputCloud ());
+      for (std::size_t i = 0; i < this->points_.size (); ++i)
+        ASSERT_EQ ((*search->getInputCloud ())[i].getVector3fMap (), (*this->cloud_)[i].getVector3fMap ());
+    }
+  }
+}
+
 TYPED_TEST (FilterSearch, ASearchThatThrowsIsAnError)
 {
   TypeParam filter;
@@ -169,6 +227,9 @@ TYPED_TEST (FilterSearch, AGraphOfAnotherCloudIsRefused)
   this->prepare (filter);
   filter.setNeighborGraph (buildNeighborGraph<PointT> (makeCloud<PointT> (ball.points, ball.normals), 10));
   this->expectError (filter, "77");
+  filter.setNeighborGraph (
+      buildNeighborGraph<PointT> (makeCloud<PointT> ({{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, 0, 1}}), 2));
+  this->expectError (filter, "a cloud of 2 points");
 
   filter.setNeighborGraph (buildNeighborGraph<PointT> (this->cloud_, 10));
   this->run (filter);

@@ -22,10 +22,10 @@ inline pcl_normal_smoothing::core::SmoothingOptions
 robustOptions (bool fast)
 {
   pcl_normal_smoothing::core::SmoothingOptions options;
-  options.robust = true;
+  options.in_rounds = true;
   options.rounds.noise = {-1, -1};
   options.rounds.fast = fast;
-  options.rounds.rounds = fast ? 3 : 6;
+  options.rounds.count = fast ? 3 : 6;
   options.rounds.sheet_distance = -1;
   return options;
 }

@@ -43,7 +43,7 @@ protected:
     result.update.rule = GetParam ().rule;
     result.update.sigma_s = 0.1f;
     result.update.iterations = 3;
-    result.robust = GetParam ().in_rounds;
+    result.in_rounds = GetParam ().in_rounds;
     result.rounds.noise = {-1, -1}; // to be estimated
     return result;
   }

@@ -108,7 +108,7 @@ expectDepth (const SmoothingOptions& options, std::uint32_t k, int depth, int un
   SCOPED_TRACE ("depth " + std::to_string (depth));
   ASSERT_EQ (smoothingDepth (options), depth);
   // More noise than the options state, so that steps are not taken whole.
-  const Sheet sheet (k, options.robust ? 2 * options.rounds.noise.sigma / spacing : 0.2f);
+  const Sheet sheet (k, options.in_rounds ? 2 * options.rounds.noise.sigma / spacing : 0.2f);
   int by_points = 0, by_rows = 0;
   for (std::uint32_t node = 0; node < sheet.graph->size (); node += 101) {
     const std::vector<int> hops = sheet.hopsFrom (node);
@@ -136,8 +136,8 @@ SmoothingOptions
 rounds (int count, bool fast, float noise)
 {
   SmoothingOptions options;
-  options.robust = true;
-  options.rounds.rounds = count;
+  options.in_rounds = true;
+  options.rounds.count = count;
   options.rounds.fast = fast;
   options.rounds.noise = {noise * spacing, spacing};
   return options;

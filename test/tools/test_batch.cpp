@@ -67,6 +67,15 @@ TEST_F (Batch, SmoothsEveryCloudAsAlone)
   EXPECT_EQ (contentOf (path ("out.d/b.PCD")), contentOf (path ("alone.pcd")));
 }
 
+/** As a folder has them that was written in Latin-1. */
+TEST_F (Batch, NamesNeedNotBeUtf8)
+{
+  savePcd (makeWave (), path ("in.d/caf\xe9.pcd"));
+  EXPECT_EQ (summary ("-report all.json"), "4 files: 4 smoothed, 0 done before, 0 failed\n");
+  EXPECT_EQ (summary (), "4 files: 0 smoothed, 4 done before, 0 failed\n");
+  EXPECT_EQ (Json::parse (contentOf (path ("all.json"))).size (), 4u);
+}
+
 TEST_F (Batch, DoesNotDoAgainWhatIsDone)
 {
   EXPECT_EQ (summary (), "3 files: 3 smoothed, 0 done before, 0 failed\n");

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "clouds/cloud_graph.h"
 #include "files/tool_error.h"
 #include "meshes/mesh_edges.h"
 #include "meshes/mesh_io.h"
 #include "meshes/mesh_measures.h"
+#include "meshes/surface_noise.h"
 #include "tool_runner.h"
 
 #include <Eigen/Geometry>
@@ -117,6 +119,27 @@ TEST_F (Meshes, BinaryOff)
     append (corner);
   writeText (path ("a.off"), bytes);
   EXPECT_EQ (tools::loadMesh (path ("a.off")).vertices[2], Eigen::Vector3d (0, 1, 0));
+}
+
+/** As a map has them: in float, the edges would be as short as the steps of the coordinates. */
+TEST_F (Meshes, NoiseFarFromTheOriginKeepsItsDigits)
+{
+  for (const double far : {0., 5e6, 1e39}) {
+    std::ostringstream text;
+    text << "OFF\n4 2 0\n" << std::fixed;
+    for (const auto& [x, y] : {std::pair (0., 0.), {.05, 0.}, {.05, .05}, {0., .05}})
+      text << far + x << " " << y << " 0\n";
+    writeText (path ("far.off"), text.str () + "3 0 1 2\n3 0 2 3\n");
+    succeed ("pcl_add_surface_noise far.off far.pcd -sigma 0.2");
+    const tools::CloudFile noisy = tools::loadCloud (path ("far.pcd"));
+    const bool wide = noisy.cloud->fields[0].datatype == pcl::PCLPointField::FLOAT64;
+    EXPECT_EQ (wide, far > 0);
+    const VectorView points = tools::positionsOf (noisy);
+    const tools::Mesh mesh = tools::loadMesh (path ("far.off"));
+    const auto exact = tools::noisyVertices (mesh, tools::NoiseType::GN, .2 * tools::meanEdgeLength (mesh), 1);
+    for (std::size_t i = 0; i < points.size; ++i)
+      EXPECT_LE ((points.layout.get (points.data, i) - exact[i]).norm (), wide ? 0 : 1e-8) << far;
+  }
 }
 
 TEST_F (Meshes, ThatLie)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files/field_values.h"
 #include "tiles/region.h"
+#include "tiles/tile_plan.h"
 #include "tiles_fixture.h"
 
 #include <cmath>
@@ -14,6 +15,15 @@ TEST_F (Tiles, EveryPresetAndTileSize)
   for (const char* options : {"", "-preset fast", "-preset paper"})
     for (const char* size : {"5000", "700", "150"})
       expectSame ("cloud.pcd", std::string ("-max_points ") + size, options);
+}
+
+/** However much memory there is: the points of a tile and those around it have numbers of 32 bits. */
+TEST_F (Tiles, AreNoLargerThanTheirNumbers)
+{
+  constexpr std::uint64_t gigabyte = 1u << 30;
+  const core::SmoothingOptions paper;
+  EXPECT_GT (tools::pointsWithin (64 * gigabyte, paper, {7}), 100'000'000u);
+  EXPECT_EQ (tools::pointsWithin (1'000'000 * gigabyte, paper, {7}), 1ull << 31);
 }
 
 TEST_F (Tiles, EveryWayOfTheChain)

@@ -112,7 +112,7 @@ TEST_F (Tiles, PartsHoldEquallyManyPoints)
 TEST_F (Tiles, OptionsComeBackToTheBit)
 {
   core::SmoothingOptions options;
-  options.robust = true;
+  options.in_rounds = true;
   options.normals = NormalSource::HOUGH;
   options.hough.seed = 0xfedcba9876543210u;
   options.filter.weight = NormalWeight::MIXED;

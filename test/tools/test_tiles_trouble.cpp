@@ -97,6 +97,12 @@ TEST_F (TilesTrouble, SourcesThatDoNotGoTogether)
                  {path ("wave.pcd"), path ("cloud.pcd"), "intensity", "histogram"});
   expectRefused ("plan tiles.d wave.pcd cloud.pcd", 2, {"intensity"});
   expectRefused ("plan tiles.d cloud.pcd cloud.pcd", 2, {"twice"});
+  fs::copy_file (path ("cloud.pcd"), path ("caf\xe9.pcd"));
+  expectRefused ("plan tiles.d caf\xe9.pcd", 2, {path ("caf\xe9.pcd"), "UTF-8", "rename it"});
+  std::string named = contentOf (path ("wave.pcd"));
+  named[named.find ("intensity")] = '\xe9';
+  writeText (path ("named.pcd"), named);
+  expectRefused ("plan tiles.d named.pcd", 2, {path ("named.pcd"), "UTF-8", "the field"});
   expectRefused ("plan tiles.d none.pcd", 2, {path ("none.pcd"), "No such file"});
   expectRefused ("plan tiles.d cloud.pcd -normals input", 3, {"normal_x"});
   succeed ("pcl_normal_smoothing cloud.pcd packed.pcd -format compressed");

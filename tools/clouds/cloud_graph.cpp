@@ -50,11 +50,11 @@ checkPointCount (std::size_t finite_points, std::size_t k)
 CloudGraph
 searchNeighbors (const CloudFile& file, const core::NeighborQuery& query, const core::Execution& execution)
 {
-  const core::Positions cloud = readPositions (positionsOf (file));
+  const core::Positions cloud = readPositions (positionsOf (file), execution.silent ());
   CloudGraph result;
   result.graph = core::NeighborGraph::build (cloud, query.inUnit (cloud.unit), execution);
   checkPointCount (result.graph->finiteCount (), query.k);
-  result.nodes = core::gather (cloud, result.graph->order ());
+  result.nodes = core::gather (cloud, result.graph->order (), execution.silent ());
   return result;
 }
 

@@ -34,10 +34,10 @@ addThreadsOption (Options& options, unsigned& threads)
 }
 
 void
-SearchOptions::addTo (Options& options, const std::string& standard_k, int least_k, const std::string& more)
+SearchOptions::addTo (Options& options, const std::string& k_standard, int least_k, const std::string& more)
 {
   options.add ("-k", "N", "neighbours of a point, itself included, at least " + std::to_string (least_k) + more,
-               standard_k,
+               k_standard,
                integerOption (least_k, 100000, [this] (std::int64_t number) { k = static_cast<int> (number); }));
   options.add ("-radius", "R", "in place of -k: all neighbours closer than this, in the cloud's unit", "none",
                positiveOption ([this] (double length) { radius = length; }));
@@ -47,11 +47,11 @@ SearchOptions::addTo (Options& options, const std::string& standard_k, int least
 }
 
 core::NeighborQuery
-SearchOptions::query (int standard_k) const
+SearchOptions::query (int k_if_unset) const
 {
   if (k > 0 && radius > 0)
     throw UsageError ("-k and -radius are both given: give one of them, or limit -k by -max_radius");
-  return makeNeighborQuery (k == 0 && radius == 0 ? standard_k : k, radius, max_radius);
+  return makeNeighborQuery (k == 0 && radius == 0 ? k_if_unset : k, radius, max_radius);
 }
 
 void

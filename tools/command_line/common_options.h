@@ -23,21 +23,24 @@ addThreadsOption (Options& options, unsigned& threads);
 /** -k -radius -max_radius -threads */
 struct SearchOptions
 {
+  /** k of the tools for the steps of the paper's chain, as that of NormalSmoothing for the chain. */
+  static constexpr int standard_k = 15;
+
   int k = 0;
   double radius = 0;
   double max_radius = 0;
   unsigned threads = 0;
 
-  /** \param[in] standard_k default, for the help
+  /** \param[in] k_standard default of k, for the help
     * \param[in] least_k smallest value that is accepted
     * \param[in] more what the help adds about the smallest value */
   void
-  addTo (Options& options, const std::string& standard_k, int least_k = 3, const std::string& more = "");
+  addTo (Options& options, const std::string& k_standard, int least_k = 3, const std::string& more = "");
 
-  /** \param[in] standard_k used if neither k nor a radius was given
+  /** \param[in] k_if_unset used if neither k nor a radius was given
     * \throw UsageError if both were */
   core::NeighborQuery
-  query (int standard_k) const;
+  query (int k_if_unset = standard_k) const;
 };
 
 /** -format */

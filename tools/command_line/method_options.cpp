@@ -49,7 +49,7 @@ textOf (int number)
 std::string
 limitOf (const core::SmoothingOptions& method)
 {
-  if (method.robust)
+  if (method.in_rounds)
     return "5 noise_sigma, the largest";
   return std::isfinite (method.update.max_displacement) ? textOf (method.update.max_displacement) : "no limit";
 }
@@ -155,7 +155,7 @@ addMotionOptions (Options& options,
                   SmoothingSettings& settings)
 {
   options.add ("-point_iterations", "N", iterations,
-               standard ([] (const auto& m) { return textOf (m.robust ? m.rounds.rounds : m.update.iterations); }),
+               standard ([] (const auto& m) { return textOf (m.in_rounds ? m.rounds.count : m.update.iterations); }),
                integerOption (0, max_iterations, [&] (auto n) { settings.setPointIterations (static_cast<int> (n)); }));
   options.add ("-max_displacement", "D",
                "farthest that a point may end from where it began, but for rounding, in the cloud's unit",
@@ -251,8 +251,8 @@ asOptions (SmoothingPreset preset, const core::SmoothingOptions& method, const S
     line += " -k " + std::to_string (search.k > 0 ? search.k : preset_k);
   if (search.max_radius > 0)
     line += " -max_radius " + textOf (static_cast<float> (search.max_radius));
-  if (method.robust)
-    line += " -point_iterations " + textOf (method.rounds.rounds) + " -noise_sigma " +
+  if (method.in_rounds)
+    line += " -point_iterations " + textOf (method.rounds.count) + " -noise_sigma " +
             textOf (method.rounds.noise.sigma) + " -noise_varies " + (method.rounds.noise.field.isEven () ? "0" : "1") +
             " -widen_neighborhoods " + (method.widen_neighborhoods ? "1" : "0") + " -point_spacing " +
             textOf (method.rounds.noise.spacing) + " -sheet_distance " + lengthOrNone (method.rounds.sheet_distance) +

@@ -26,10 +26,10 @@ givenOf (const std::vector<std::string>& names, const Options& options)
 void
 noteSurprises (const Options& options, const core::SmoothingOptions& method, int k)
 {
-  if (method.robust && k > static_cast<int> (core::max_row_length))
+  if (method.in_rounds && k > static_cast<int> (core::max_row_length))
     note ("of the " + std::to_string (k) + " neighbours of -k the rounds use the nearest " +
           std::to_string (core::max_row_length));
-  if (method.robust)
+  if (method.in_rounds)
     return;
   const std::map<std::string, std::string> given = options.given ();
   const auto preset = given.find ("-preset");

@@ -2,6 +2,7 @@
 #include "smoothing_job.h"
 
 #include "clouds/cloud_graph.h"
+#include "clouds/cloud_of_points.h"
 #include "command_line/option_notes.h"
 #include "command_line/tool.h"
 #include "smoothing_report.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace pcl_normal_smoothing
@@ -36,12 +36,11 @@ coarsenessOf (const CloudFile& file, double spacing)
   for (std::size_t i = 0; i < points.size; ++i)
     if (const Eigen::Vector3d point = points.layout.get (points.data, i); point.allFinite ())
       farthest = std::max (farthest, point.cwiseAbs ().maxCoeff ());
-  const auto number = static_cast<float> (farthest);
-  const double step = double {std::nextafter (number, std::numeric_limits<float>::infinity ())} - double {number};
+  const double step = floatStep (farthest);
   if (!(spacing > 0) || step <= spacing / 4)
     return {};
   std::ostringstream text;
-  text << "coordinates of " << number << " come in steps of " << step
+  text << "coordinates of " << farthest << " come in steps of " << step
        << " in float: give them as double, or less a common offset";
   return text.str ();
 }
@@ -88,24 +87,24 @@ SmoothingJob::run (CloudFile& file,
   smoothing_.setNumberOfThreads (threads);
   smoothing_.setProgressCallback (progress);
   smoothing_.setInputCloud (file.cloud);
-  const CloudFile input = file;
-  file.cloud = pcl::make_shared<pcl::PCLPointCloud2> ();
-  smoothing_.filter (*file.cloud);
+  const auto smoothed = pcl::make_shared<pcl::PCLPointCloud2> ();
+  smoothing_.filter (*smoothed);
   if (!smoothing_.getErrorMessage ().empty ())
     throw core::Error (smoothing_.getErrorMessage ());
-  noteTrouble (input);
+  noteTrouble (file);
+  file.cloud = smoothed;
 }
 
 void
 SmoothingJob::noteTrouble (const CloudFile& input) const
 {
   const core::SmoothingOptions& used = smoothing_.usedOptions ();
-  if (!used.robust)
+  if (!used.in_rounds)
     return;
   const core::NoiseEstimate& noise = used.rounds.noise;
   if (const std::string coarseness = coarsenessOf (input, noise.spacing); !coarseness.empty ())
     note (input.path + ": " + coarseness);
-  else if (used.rounds.rounds > 0 && noise.sigma == 0 && smoothing_.options ().rounds.noise.sigma < 0)
+  else if (used.rounds.count > 0 && noise.sigma == 0 && smoothing_.options ().rounds.noise.sigma < 0)
     note (input.path + (input.size () < least_points ? ": so few points show no noise" : ": no noise was found") +
           ", nothing moves: give -noise_sigma if there is some");
   else if (noise.spacing > 0 && noise.sigma > absurd_ratio * noise.spacing)

@@ -42,7 +42,7 @@ public:
   query () const
   {
     core::NeighborQuery query = search_.query (smoothing_.presetK ());
-    query.distinct = smoothing_.options ().robust;
+    query.distinct = smoothing_.options ().in_rounds;
     return query;
   }
 
@@ -59,7 +59,8 @@ public:
   prepare (CloudFile& file) const;
 
   /** Replaces the cloud of \a file by the smoothed one.
-    * \param[in] graph the neighbourhoods of query () in the cloud; null: they are searched \throw core::Error */
+    * \param[in] graph the neighbourhoods of query () in the cloud; null: they are searched
+    * \throw core::Error; \a file stays as it was */
   void
   run (CloudFile& file,
        unsigned threads,

@@ -48,7 +48,7 @@ parametersAsJson (const std::string& options)
 Json
 noiseOf (const CloudFile& noisy, const core::SmoothingOptions& used, const core::Execution& execution)
 {
-  const core::NoiseEstimate noise = used.robust ? used.rounds.noise : estimateNoise (noisy, execution);
+  const core::NoiseEstimate noise = used.in_rounds ? used.rounds.noise : estimateNoise (noisy, execution);
   return {{"sigma", noise.sigma},
           {"smallest", noise.sigma * noise.field.smallestFactor ()},
           {"largest", noise.sigma * noise.field.largestFactor ()},
@@ -92,7 +92,8 @@ void
 saveReport (const Json& report, const std::string& path)
 {
   OutputFile file (path);
-  file.write (report.dump (2) + "\n");
+  // Names of files may be in any encoding; JSON is UTF-8.
+  file.write (report.dump (2, ' ', false, Json::error_handler_t::replace) + "\n");
   file.commit ();
 }
 } // namespace tools

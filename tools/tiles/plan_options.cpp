@@ -84,7 +84,7 @@ template <typename Options, typename Use>
 void
 forEachOption (Options& options, Use& use)
 {
-  use ("robust", options.robust);
+  use ("in_rounds", options.in_rounds);
   use ("normals", options.normals);
   use ("hough_confidence", options.hough.confidence);
   use ("hough_tolerance", options.hough.tolerance);
@@ -108,7 +108,7 @@ forEachOption (Options& options, Use& use)
   use ("rounds_noise_field", options.rounds.noise.field.factors.regions);
   use ("noise_varies", options.noise_varies);
   use ("widen_neighborhoods", options.widen_neighborhoods);
-  use ("rounds", options.rounds.rounds);
+  use ("rounds_count", options.rounds.count);
   use ("rounds_fast", options.rounds.fast);
   use ("rounds_oriented", options.rounds.oriented);
   use ("rounds_sheet_distance", options.rounds.sheet_distance);

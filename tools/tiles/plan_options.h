@@ -11,8 +11,8 @@ namespace tools
 {
 using Json = nlohmann::ordered_json;
 
-/** Every number of the options, exact to the bit. Except rounds.along_rays: only widening sets it, and tiles do not
-  * widen neighbourhoods. */
+/** Every number of the options, exact to the bit. Except rounds.along_rays and rounds.noise.hidden_by: only widening
+  * sets them, and tiles do not widen neighbourhoods. */
 Json
 optionsAsJson (const core::SmoothingOptions& options);
 

@@ -3,6 +3,7 @@
 
 #include "files/tool_error.h"
 
+#include <nlohmann/json.hpp>
 #include <pcl/common/io.h>
 
 #include <sys/stat.h>
@@ -55,6 +56,29 @@ requireSameFields (const Source& first, const Source& other)
                        fieldsMissing (a, b),
                    "give files of the same fields, in the same order");
 }
+
+bool
+isUtf8 (const std::string& text)
+{
+  try {
+    nlohmann::json (text).dump ();
+    return true;
+  }
+  catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
+/** A plan names its files and their fields in JSON, which is UTF-8, and must find them by these names again. */
+void
+requireUtf8 (const Source& source)
+{
+  if (!isUtf8 (source.path))
+    throw FileError (source.path, "its path is not in UTF-8, as a plan's must be", "rename it, or make a link to it");
+  for (const auto& field : source.shape.fields)
+    if (!isUtf8 (field.name))
+      throw FileError (source.path, "the name of a field is not in UTF-8, as a plan's must be", "rename the field");
+}
 } // namespace
 
 Sources::Sources (const std::vector<std::string>& paths)
@@ -68,6 +92,7 @@ Sources::Sources (const std::vector<std::string>& paths)
         throw FileError (path, "is given twice, as " + other.path + " too", "give every file once");
     const auto [bytes, changed] = stateOf (path);
     list_.push_back ({fs::absolute (path).lexically_normal ().string (), shape, first, bytes, changed, {}});
+    requireUtf8 (list_.back ());
     requireSameFields (list_.front (), list_.back ());
     first += shape.size ();
   }

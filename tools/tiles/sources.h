@@ -14,7 +14,8 @@ class Sources
 {
 public:
   /** Reads the headers.
-    * \throw FileError if a file cannot be read, is given twice, or has other fields than the first */
+    * \throw FileError if a file cannot be read, is given twice, has other fields than the first, or
+    * names that a plan cannot hold */
   explicit Sources (const std::vector<std::string>& paths);
 
   /** The shape of the first file; all have the same fields. */

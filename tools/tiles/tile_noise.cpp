@@ -157,15 +157,15 @@ private:
 } // namespace
 
 void
-prepare (Plan& plan,
-         const std::vector<SamplePoint>& sample,
-         std::uint32_t sheet_limit,
-         const core::Execution& execution)
+completeOptions (Plan& plan,
+                 const std::vector<SamplePoint>& sample,
+                 std::uint32_t sheet_limit,
+                 const core::Execution& execution)
 {
   TiledCloud cloud (plan, sample, sheet_limit, execution);
   cloud.complete (plan.options);
   // With wider neighbourhoods, one tile might need all of the cloud.
-  const bool widens = std::exchange (plan.options.widen_neighborhoods, false) && plan.options.robust;
+  const bool widens = std::exchange (plan.options.widen_neighborhoods, false) && plan.options.in_rounds;
   if (widens && cloud.mayNeedWidening ())
     note ("neighbourhoods may be too narrow to show the surface, for many points lie in planes with those around them, "
           "exactly (on the lines of a lidar, or in the steps of a depth camera), the coordinates are rounded, or the "

@@ -12,9 +12,9 @@ namespace tools
   * \param[in] sample the points from which the noise is estimated
   * \param[in] sheet_limit limit on the hashes of those points by which sheets are looked for */
 void
-prepare (Plan& plan,
-         const std::vector<SamplePoint>& sample,
-         std::uint32_t sheet_limit,
-         const core::Execution& execution);
+completeOptions (Plan& plan,
+                 const std::vector<SamplePoint>& sample,
+                 std::uint32_t sheet_limit,
+                 const core::Execution& execution);
 } // namespace tools
 } // namespace pcl_normal_smoothing

@@ -67,7 +67,7 @@ public:
     look ();
     distribute ();
     writeTiles ();
-    prepare (plan_, sample_, hashes_.limitFor (core::sheet_sample_size), execution_);
+    completeOptions (plan_, sample_, hashes_.limitFor (core::sheet_sample_size), execution_);
     plan_.sources = sources_.list ();
     plan_.parameters = parameters (plan_.options.inUnit (1 / plan_.unit));
     for (const char* name : {"/cells.bin", "/plan.json"})
@@ -214,7 +214,8 @@ private:
                                                  2 * std::uint64_t (plan_.query.k) + 1, plan_.points / most_cells});
     TileWriter writer (plan_, maxPoints (), cell_points, hashes_.limitFor (core::noise_sample_size), execution_);
     // A bucket that is larger than expected from the sample is read in pieces.
-    const std::uint64_t piece = std::max<std::uint64_t> (request_.memory / 3 / (2 * plan_.record.bytes () + 64), 4096);
+    const std::uint64_t piece =
+        std::clamp<std::uint64_t> (request_.memory / 3 / (2 * plan_.record.bytes () + 64), 4096, most_points_of_tile);
     for (std::size_t bucket = 0; bucket < bucket_count_; ++bucket) {
       std::vector<std::uint8_t> records;
       const std::uint64_t size = buckets_->size (bucket), step = plan_.record.bytes ();
@@ -287,7 +288,7 @@ pointsWithin (std::uint64_t memory, const core::SmoothingOptions& options, const
   // A tile is a square of the surface with a halo along its sides; a hop goes as far as the k-th neighbour.
   const double halo = 1.2 * (core::smoothingDepth (noisy) + 3) * std::sqrt (k / M_PI);
   const double side = std::max (std::sqrt (loaded) - 2 * halo, std::sqrt (loaded) / 2);
-  return static_cast<std::uint64_t> (side * side);
+  return static_cast<std::uint64_t> (std::min (side * side, double {most_points_of_tile}));
 }
 } // namespace tools
 } // namespace pcl_normal_smoothing

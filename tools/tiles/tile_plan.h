@@ -10,6 +10,9 @@ namespace pcl_normal_smoothing
 {
 namespace tools
 {
+/** Limit of a tile, so that its points and those around it can be numbered in 32 bits. */
+constexpr std::uint32_t most_points_of_tile = 1u << 31;
+
 /** What `plan` is asked for. */
 struct PlanRequest
 {
@@ -19,7 +22,7 @@ struct PlanRequest
   core::SmoothingOptions options;
   core::NeighborQuery query;
   bool save_normals = false;
-  /** Limit per tile; must be set: pointsWithin () gives as many as the memory allows `run`. */
+  /** Limit per tile, from 1 to most_points_of_tile; must be set: pointsWithin () gives as many as the memory allows `run`. */
   std::uint64_t max_points = 0;
   std::uint64_t memory = 0;
   unsigned threads = 0;
@@ -37,7 +40,8 @@ makePlan (const PlanRequest& request, const std::function<std::string (const cor
 std::optional<Plan>
 findPlan (const PlanRequest& request);
 
-/** How many points of a tile `run` can smooth within some bytes of memory, with those that it needs around the tile. */
+/** How many points of a tile `run` can smooth within some bytes of memory, with those that it needs around the
+  * tile; at most most_points_of_tile. */
 std::uint64_t
 pointsWithin (std::uint64_t memory, const core::SmoothingOptions& options, const core::NeighborQuery& query);
 } // namespace tools

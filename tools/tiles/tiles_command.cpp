@@ -72,7 +72,7 @@ void
 TilesCommand::addPlanOptions (Options& options)
 {
   options.add ("-max_points", "N", "of plan: points of a tile, without those around it that run loads too",
-               "what fits into -memory", integerOption (1, std::int64_t (1) << 31, [this] (std::int64_t points) {
+               "what fits into -memory", integerOption (1, most_points_of_tile, [this] (std::int64_t points) {
                  request_.max_points = static_cast<std::uint64_t> (points);
                }));
   addMethodOptions (options, method_, search_, [this] (bool save) { request_.save_normals = save; });
@@ -158,7 +158,7 @@ TilesCommand::readRequest (const Options& options)
   checkOptions (request_.options, search_.k);
   noteSurprises (options, request_.options, search_.k);
   request_.query = search_.query (method_.presetK ());
-  request_.query.distinct = request_.options.robust;
+  request_.query.distinct = request_.options.in_rounds;
   request_.threads = search_.threads;
   request_.memory = memory_;
   if (request_.max_points == 0)
@@ -177,7 +177,7 @@ TilesCommand::plan (const Options& options)
   const Plan plan = found ? *found : makePlan (request_, [this] (const core::SmoothingOptions& used) {
     return asOptions (method_.getPreset (), used, search_, method_.presetK ());
   });
-  if (plan.options.robust && plan.options.rounds.rounds > 0 && plan.options.rounds.noise.sigma == 0)
+  if (plan.options.in_rounds && plan.options.rounds.count > 0 && plan.options.rounds.noise.sigma == 0)
     note ("no noise was found, nothing moves: give -noise_sigma if there is some");
   std::uint64_t largest = 0;
   for (const Tile& tile : plan.tiles)

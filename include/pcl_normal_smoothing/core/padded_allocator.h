@@ -10,9 +10,8 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
-/** Memory for an array, aligned like that of operator new. From a megabyte on it is mapped from the system instead of
-  * the heap, in pages of two megabytes if available: fewer have to be requested, and the processor keeps track of more
-  * memory; and all of it is given back.
+/** Memory for an array, aligned like that of operator new. From a megabyte on it is mapped by mmap, on huge pages where
+  * the system has them: fewer page faults and misses of the TLB, and what is freed goes back to the system at once.
   * \throw std::bad_alloc if there is none */
 void*
 allocateBytes (std::size_t bytes);

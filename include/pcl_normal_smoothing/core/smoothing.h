@@ -13,8 +13,8 @@ namespace core
 /** Everything that smooth () needs to know. */
 struct SmoothingOptions
 {
-  /** In rounds (core/rounds/robust_smoothing.h), not by the chain of normal filter and point update. */
-  bool robust = false;
+  /** true: in rounds (core/rounds/robust_smoothing.h); false: by the paper's chain of normal filter and point update. */
+  bool in_rounds = false;
   NormalSource normals = NormalSource::WPCA;
   HoughOptions hough;
   NormalFilterOptions filter;
@@ -33,7 +33,7 @@ struct SmoothingOptions
   inUnit (double unit) const;
 };
 
-/** \throw Error if an option is out of range, or normals to be estimated are called oriented: their signs are
+/** \throw Error if an option is out of range, or if estimated normals are to count as oriented: their signs are
   * arbitrary */
 void
 check (const SmoothingOptions& options);
@@ -77,7 +77,7 @@ smoothByNormals (const NeighborGraph::ConstPtr& graph,
                  MovingSurface& surface);
 
 /** The whole method, Fig. 2 of Valdivia et al. 2013: estimate normals, filter them, move the points to fit them; or,
-  * for options.robust, smoothing in rounds.
+  * for options.in_rounds, smoothing in rounds.
   * \param[in] options without anything to estimate
   * \param[in] search_again see updatePoints
   * \param[in,out] surface its normals are read only for NormalSource::INPUT; on return those that the points fit

@@ -19,7 +19,7 @@ BilateralNormalFilter<PointT>::run (NeighborGraph::ConstPtr& graph)
   const core::Positions cloud = readPositions (positionsOf (*this->input_), execution.silent ());
   graph = this->obtainGraph (
       this->filter_name_, cloud, [this] { return this->input_; }, execution.part (0, 0.7));
-  core::Vectors normals = readNormals (input_normals, graph->order ());
+  core::Vectors normals = readNormals (input_normals, graph->order (), execution.silent ());
   core::filterNormals (*graph, gather (cloud, graph->order (), execution.silent ()), options_, execution.part (0.7, 1),
                        normals);
   return normals;
@@ -36,7 +36,7 @@ BilateralNormalFilter<PointT>::applyFilter (PointCloud& output)
       const std::vector<bool> selected = selectPoints (*this->indices_, output.size ());
       const core::Vectors normals = run (graph);
       writeNormals (normals, graph->order (), selected, normalLayout<PointT> (),
-                    reinterpret_cast<std::uint8_t*> (output.data ()));
+                    reinterpret_cast<std::uint8_t*> (output.data ()), this->execution ().silent ());
     }
     else
       throw core::Error ("the point type has no normal to write: call filterNormals, or use a type with normals");
@@ -59,7 +59,7 @@ BilateralNormalFilter<PointT>::filterNormals (pcl::PointCloud<pcl::Normal>& norm
     const std::vector<bool> selected = selectPoints (*this->indices_, this->input_->size ());
     const core::Vectors filtered = run (graph);
     writeNormals (filtered, graph->order (), selected, normalLayout<pcl::Normal> (),
-                  reinterpret_cast<std::uint8_t*> (result.data ()));
+                  reinterpret_cast<std::uint8_t*> (result.data ()), this->execution ().silent ());
   });
   if (outcome == Outcome::DONE)
     normals = std::move (result);

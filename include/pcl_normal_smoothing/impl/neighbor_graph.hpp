@@ -40,9 +40,10 @@ pointSearch (const typename pcl::search::Search<PointT>::Ptr& search,
     const int count = query.k > 0 ? search->nearestKSearch (point, static_cast<int> (k), found, sq_dists)
                                   : search->radiusSearch (point, query.radius, found, sq_dists);
     neighbors.clear ();
-    // The vectors may be longer than what was found.
-    for (std::size_t j = 0; j < std::min (found.size (), static_cast<std::size_t> (std::max (0, count))); ++j)
-      if (query.k == 0 || !(sq_dists[j] >= query.radius * query.radius))
+    // The vectors may be longer than what was found, and some searches find points exactly at the radius, others not.
+    const std::size_t room = std::min (found.size (), sq_dists.size ());
+    for (std::size_t j = 0; j < std::min (room, static_cast<std::size_t> (std::max (0, count))); ++j)
+      if (!(sq_dists[j] >= query.radius * query.radius))
         neighbors.push_back (static_cast<std::uint32_t> (found[j]));
   };
 }
@@ -67,9 +68,13 @@ buildNeighborGraph (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
                     const typename pcl::search::Search<PointT>::Ptr& search,
                     unsigned int threads)
 {
-  const core::NeighborQuery query = makeNeighborQuery (k, k > 0 ? 0 : radius, radius);
-  const core::Positions positions = readPositions (positionsOf (*cloud));
+  if (!cloud)
+    throw core::Error ("no cloud is given whose neighbours could be searched");
+  const core::NeighborQuery query =
+      makeNeighborQuery (k, k > 0 ? 0 : radius, k > 0 ? radius : 0,
+                         {"the argument k", "the argument radius", "the argument radius"});
   const core::Execution execution (threads);
+  const core::Positions positions = readPositions (positionsOf (*cloud), execution);
   if (search)
     return NeighborGraph::build (positions, graphSearch<PointT> (search, cloud, query), execution);
   return NeighborGraph::build (positions, query.inUnit (positions.unit), execution);

@@ -28,10 +28,10 @@ NormalGuidedPointUpdate<PointT>::applyFilter (PointCloud& output)
     const core::Vectors start = core::startOf (nodes);
     const core::SearchAgain search_again =
         options.search_interval > 0 ? this->makeSearchAgain (graph, input) : core::SearchAgain ();
-    core::updatePoints (graph, readNormals (input_normals, graph->order ()), options.inUnit (nodes.unit), search_again,
-                        execution.part (0.7, 1), nodes);
+    const core::Vectors normals = readNormals (input_normals, graph->order (), execution.silent ());
+    core::updatePoints (graph, normals, options.inUnit (nodes.unit), search_again, execution.part (0.7, 1), nodes);
     writeDisplacements (displacements (start, nodes), nodes.unit, graph->order (), selected, positionLayout<PointT> (),
-                        reinterpret_cast<std::uint8_t*> (output.data ()));
+                        reinterpret_cast<std::uint8_t*> (output.data ()), execution.silent ());
   });
   this->settleOutput (outcome, *this->input_, output);
 }

@@ -6,6 +6,36 @@
 
 namespace pcl_normal_smoothing
 {
+/** Gives a user's search object back as it was: when this goes, it searches the same cloud as before, even after an
+  * error. */
+template <typename PointT>
+class SearchBorrowed
+{
+public:
+  explicit SearchBorrowed (const typename pcl::search::Search<PointT>::Ptr& search)
+  : search_ (search), cloud_ (search->getInputCloud ()), indices_ (search->getIndices ())
+  {}
+
+  SearchBorrowed (const SearchBorrowed&) = delete;
+  SearchBorrowed&
+  operator= (const SearchBorrowed&) = delete;
+
+  ~SearchBorrowed ()
+  {
+    try {
+      if (cloud_)
+        search_->setInputCloud (cloud_, indices_);
+    }
+    catch (const std::exception&) { // it threw before, and that is the error to report
+    }
+  }
+
+private:
+  typename pcl::search::Search<PointT>::Ptr search_;
+  typename pcl::PointCloud<PointT>::ConstPtr cloud_;
+  pcl::IndicesConstPtr indices_;
+};
+
 template <typename PointT>
 NeighborGraph::ConstPtr
 SearchSettings<PointT>::obtainGraph (const std::string& class_name,
@@ -14,8 +44,9 @@ SearchSettings<PointT>::obtainGraph (const std::string& class_name,
                                      const core::Execution& execution) const
 {
   if (neighbor_graph_) {
-    checkPointCount (class_name, neighbor_graph_->finiteCount (), 0);
-    return fittingGraph (positions, joinsCopies ());
+    const NeighborGraph::ConstPtr graph = fittingGraph (positions, joinsCopies ());
+    checkPointCount (class_name, graph->finiteCount (), 0);
+    return graph;
   }
   const core::NeighborQuery query = makeQuery ();
   const NeighborGraph::ConstPtr graph =
@@ -47,9 +78,8 @@ SearchSettings<PointT>::makeSearchAgain (const NeighborGraph::ConstPtr& graph,
       point.y = position.y ();
       point.z = position.z ();
     }
-    auto searched = graph->rebuild (nodes, graphSearch<PointT> (search, moved, query), quiet);
-    search->setInputCloud (cloud ());
-    return searched;
+    const SearchBorrowed<PointT> borrowed (search);
+    return graph->rebuild (nodes, graphSearch<PointT> (search, moved, query), quiet);
   };
 }
 } // namespace pcl_normal_smoothing

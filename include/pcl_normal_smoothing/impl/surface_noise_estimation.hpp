@@ -40,11 +40,12 @@ SurfaceNoiseEstimation<PointT>::compute ()
     if (!this->initCompute ())
       this->failWithoutInput ();
     const typename pcl::PointCloud<PointT>::ConstPtr points = indexedPoints ();
-    const core::Positions cloud = readPositions (positionsOf (*points));
+    const core::Execution execution = this->execution ();
+    const core::Positions cloud = readPositions (positionsOf (*points), execution.silent ());
     const auto graph = this->obtainGraph (
-        "SurfaceNoiseEstimation", cloud, [&] { return points; }, this->execution ().part (0, 0.9));
-    estimate_ = core::estimateNoise (*graph, gather (cloud, graph->order ()), this->execution ().part (0.9, 1))
-                    .inCloudUnit (cloud.unit);
+        "SurfaceNoiseEstimation", cloud, [&] { return points; }, execution.part (0, 0.9));
+    const core::Positions nodes = gather (cloud, graph->order (), execution.silent ());
+    estimate_ = core::estimateNoise (*graph, nodes, execution.part (0.9, 1)).inCloudUnit (cloud.unit);
     this->deinitCompute ();
   });
   return outcome == Outcome::DONE;

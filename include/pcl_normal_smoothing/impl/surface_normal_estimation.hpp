@@ -105,17 +105,19 @@ std::vector<core::LocalSurface>
 SurfaceNormalEstimation<PointInT, PointOutT>::estimateByQueries (const core::SurfaceEstimator& estimator)
 {
   const core::NeighborQuery query = makeNeighborQuery (this->k_, this->search_radius_, max_neighbor_distance_);
-  const core::Positions surface = readPositions (positionsOf (*this->surface_));
-  checkPointCount (this->feature_name_, core::finiteElements (surface).size (), query.k);
-  const core::Positions cloud = readPositions (positionsOf (*this->input_), surface.unit);
+  const core::Execution run = execution ();
+  const core::Positions surface = readPositions (positionsOf (*this->surface_), run.silent ());
+  checkPointCount (this->feature_name_, core::finiteElements (surface, run.silent ()).size (), query.k);
+  const core::Positions cloud = readPositions (positionsOf (*this->input_), surface.unit, run.silent ());
   const core::Elements queries (this->indices_->begin (), this->indices_->end ());
+  const core::Positions places = gather (cloud, queries, run.silent ());
   if (!this->tree_)
-    return core::querySurfaces (surface, gather (cloud, queries), query.inUnit (surface.unit), estimator, execution ());
+    return core::querySurfaces (surface, places, query.inUnit (surface.unit), estimator, run);
 
   const auto search = pointSearch<PointInT> (this->tree_, this->surface_, query);
   return core::querySurfaces (
-      surface, gather (cloud, queries),
+      surface, places,
       [&] (std::size_t i, std::vector<std::uint32_t>& found) { search ((*this->input_)[(*this->indices_)[i]], found); },
-      estimator, execution ());
+      estimator, run);
 }
 } // namespace pcl_normal_smoothing

@@ -90,10 +90,10 @@ querySurfaces (const Positions& surface,
                const Execution& execution)
 {
   std::vector<LocalSurface> result (queries.size (), LocalSurface::invalid ());
-  const Elements finite = finiteElements (surface);
+  const Elements finite = finiteElements (surface, execution.silent ());
   if (finite.empty ())
     return result;
-  const Positions points = gather (surface, finite);
+  const Positions points = gather (surface, finite, execution.silent ());
   const KdTree tree (points, finite, execution);
   parallelFor (queries.size (), execution, [&] (std::size_t begin, std::size_t end) {
     KdTree::Scratch scratch;

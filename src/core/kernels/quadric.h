@@ -90,8 +90,8 @@ public:
     return a[0] + a[1] * u + a[2] * v + (a[3] * u + a[4] * v) * u + a[5] * v * v;
   }
 
-  /** 1 + |gradient|^2 at the origin, the squared secant of the slope: a height over the frame's plane is larger than
-    * the distance from the quadric by its root. */
+  /** 1 + |gradient|^2 at the origin, that is 1 / cos^2 of the slope: a squared height over the frame's plane, divided by
+    * it, is the squared distance from the quadric. */
   LANES_INLINE Lanes
   squaredSecant () const
   {

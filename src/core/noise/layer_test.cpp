@@ -39,7 +39,7 @@ public:
   /** Whether there are none, or they lie in one plane, to one side of the node, and not the side on which its own
     * plane continues, as at the rim of a plate. */
   bool
-  isNextLayer (const Part& own) const
+  isEmptyOrNextLayer (const Part& own) const
   {
     return count_ == 0 || (highest_ < max_highest_over_lowest * lowest_ && sum_.norm () > min_share_aside * length_ &&
                            own.mean ().dot (mean ()) < max_share_beneath * mean ().squaredNorm ());
@@ -97,7 +97,7 @@ layerSurrounding (const Differences& differences, const Eigen::Vector3d& normal)
   }
   if (above.count () + below.count () < min_neighbors_off)
     return {false, 0};
-  const bool are_layers = above.isNextLayer (own) && below.isNextLayer (own);
+  const bool are_layers = above.isEmptyOrNextLayer (own) && below.isEmptyOrNextLayer (own);
   return {true, are_layers ? std::min (above.lowest (), below.lowest ()) : 0};
 }
 } // namespace core

@@ -28,7 +28,7 @@ constexpr double min_share_flat = .3;
 constexpr double max_cosine_to_surface = .7;
 
 // Lines that meet the surface at 30 degrees or more are rays on which several frames have a point each: their noise is
-// along them. A twentieth of a scanner's lines seem to be rays, a fifth or more of such frames' lines.
+// along them. Of a scanner's lines 5 % look like rays, of those where frames overlap 20 % and more.
 constexpr double max_cosine_to_line = .5;
 constexpr double max_share_of_rays = .1;
 // Below this share of points on lines, lines are chance. Points on lines by chance are straighter than others, but not
@@ -71,8 +71,8 @@ mayHaveLines (const NeighborGraph& graph, const Positions& nodes, const Executio
   return isShare (min_share_of_lines, lines) || isShare (min_share_flat, planes);
 }
 
-/** Follows a point from the whole cloud to thinner ones, until its nearest show the surface. */
-class LineEnd
+/** A point seen in the whole cloud, then in thinner and thinner ones, until its nearest show the surface. */
+class ThinnedPoint
 {
 public:
   /** \param[in] spread after \a halvings, which grow by one with every call */
@@ -147,27 +147,27 @@ private:
 };
 
 /** An upper bound on sigma from the noise along lines; infinity if they do not show it.
-  * \param[in] unthinned, ends of the same nodes
+  * \param[in] unthinned, points of the same nodes
   * \param[in] reach median distance of the eighth nearest */
 float
-mostSigma (const std::vector<Differences>& unthinned, const std::vector<LineEnd>& ends, float reach)
+mostSigma (const std::vector<Differences>& unthinned, const std::vector<ThinnedPoint>& points, float reach)
 {
   std::vector<Differences> on_lines;
   std::size_t thin = 0, rays = 0;
-  for (std::size_t s = 0; s < ends.size (); ++s) {
-    if (!(ends[s].halvings () > 0))
+  for (std::size_t s = 0; s < points.size (); ++s) {
+    if (!(points[s].halvings () > 0))
       continue;
     on_lines.push_back (unthinned[s]);
-    if (!ends[s].isThin ())
+    if (!points[s].isThin ())
       continue;
     thin += 1;
-    rays += ends[s].isInSurface () ? 0 : 1;
+    rays += points[s].isInSurface () ? 0 : 1;
   }
   if (static_cast<double> (rays) > max_share_of_rays * static_cast<double> (thin))
     return std::numeric_limits<float>::infinity ();
   const double noise = noiseAlongLines (on_lines);
   const bool by_chance =
-      static_cast<double> (on_lines.size ()) < min_share_on_lines * static_cast<double> (ends.size ()) &&
+      static_cast<double> (on_lines.size ()) < min_share_on_lines * static_cast<double> (points.size ()) &&
       noise > straight * reach;
   return by_chance ? std::numeric_limits<float>::infinity () : static_cast<float> (most_of_noise_along * noise);
 }
@@ -180,28 +180,28 @@ estimateLines (const NeighborGraph& graph, const Positions& nodes, const Executi
   if (!mayHaveLines (graph, nodes, still))
     return {};
   const ThinnedSample sample (graph, nodes, still);
-  std::vector<LineEnd> ends (sample.size ());
+  std::vector<ThinnedPoint> points (sample.size ());
   float reach = 0;
   std::vector<Differences> unthinned;
   for (int halvings = 0; halvings < sample.levelCount (); ++halvings) {
     const std::vector<Differences> differences = sample.differencesAfter (halvings);
     for (std::size_t s = 0; s < differences.size (); ++s)
-      ends[s].see (Spread (differences[s]), halvings);
+      points[s].see (Spread (differences[s]), halvings);
     if (halvings == 0) {
       reach = medianReach (differences);
       unthinned = differences;
     }
   }
   std::vector<float> halvings;
-  for (const LineEnd& end : ends)
-    halvings.push_back (end.halvings ());
+  for (const ThinnedPoint& point : points)
+    halvings.push_back (point.halvings ());
   if (!(reach > 0))
     return {};
   RegionalField field = regionalMedians (sample.atPlaces (halvings), reach);
   const auto wide = [] (const RegionalField::Region& region) { return region.value > .5f; };
   if (std::none_of (field.regions.begin (), field.regions.end (), wide))
     return {};
-  return {std::move (field), mostSigma (unthinned, ends, reach)};
+  return {std::move (field), mostSigma (unthinned, points, reach)};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

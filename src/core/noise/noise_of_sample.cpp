@@ -3,6 +3,7 @@
 #include "../quantile.h"
 #include "../ramp.h"
 #include "../spacing.h"
+#include "noise_field_estimate.h"
 #include "residual_quantiles.h"
 
 #include <algorithm>
@@ -14,10 +15,11 @@ namespace core
 {
 namespace
 {
-/** Correction factor for sigma: the larger the noise relative to the spacing, the more of it a quadric follows.
+/** Correction factor for sigma: the larger the noise relative to the spacing, the more of it a quadric follows. Fitted
+  * to planes of even noise.
   * \param[in] ratio of the estimated sigma to the spacing */
 double
-whatQuadricsFollow (double ratio)
+factorOfQuadrics (double ratio)
 {
   return 1 + .3 * ratio + 1.2 * ratio * ratio;
 }
@@ -25,7 +27,7 @@ whatQuadricsFollow (double ratio)
 /** Factor by which residuals make the noise of a single point look too small, by the ratio of its true sigma to the
   * spacing around it; on the large side. */
 double
-whatDensityHides (double ratio)
+factorOfDensity (double ratio)
 {
   const double bounded = std::min (ratio, 10.0); // exceeded by near copies
   return std::sqrt (1 + 2.2 * bounded * bounded);
@@ -38,11 +40,11 @@ using Factors = std::vector<double>;
 Factors
 correctionsOf (const NoiseSample& sample, const NoiseEstimate& noise)
 {
-  const double usual = whatDensityHides (noise.sigma / noise.spacing);
+  const double usual = factorOfDensity (noise.sigma / noise.spacing);
   Factors factors;
   for (const NoiseSample::Residuals& residuals : sample.of_nodes) {
     const double local = noise.field.factorAt (residuals.place);
-    const double hidden = whatDensityHides (noise.sigma * local / (spacing_of_eighth * residuals.distance)) / usual;
+    const double hidden = factorOfDensity (noise.sigma * local / (spacing_of_eighth * residuals.distance)) / usual;
     factors.push_back ((residuals.distance > 0 ? hidden : 1) / local); // copies of a point have no density
   }
   return factors;
@@ -98,12 +100,13 @@ fieldOf (const NoiseSample& sample, Pattern pattern, double certainty_of_detail,
 {
   const Factors factors = correctionsOf (sample, noise);
   const std::size_t size = pattern == Pattern::SCAN_LINES ? of_12 : sizeForField (corrected (sample, factors));
-  return estimateNoiseField (localVariances (sample, factors, size), noise.spacing, noise.sigma / noise.spacing,
-                             size == of_8 ? spread_of_8 : spread_of_12, certainty_of_detail);
+  const OtherCauses others = {noise.sigma / noise.spacing, size == of_8 ? spread_of_8 : spread_of_12,
+                              certainty_of_detail};
+  return estimateNoiseField (localVariances (sample, factors, size), noise.spacing, others);
 }
 
-/** Share, 0 to 1, of the slant seen in even noise that counts where the noise varies as in \a field: a field takes slant
-  * for noise that varies, but slant alone makes regions differ little. */
+/** How much of the certainty of slant remains where the noise varies as in \a field: all of it while the regions differ
+  * no more than slant alone makes them, nothing where the noise itself varies. */
 double
 shareOfSlant (const NoiseField& field)
 {
@@ -129,7 +132,7 @@ estimateSigma (const NoiseSample& sample,
       certainty_of_slant = std::max (certainty_of_slant, (1 - certainty_of_detail) * certaintyOfSlant (variances));
     const double sigma =
         pattern == Pattern::SCAN_LINES ? sigmaAcrossLines (variances) : sigmaBy (variances, certainty_of_slant);
-    noise.sigma = static_cast<float> (sigma * whatQuadricsFollow (sigma / noise.spacing));
+    noise.sigma = static_cast<float> (sigma * factorOfQuadrics (sigma / noise.spacing));
     if (pattern == Pattern::CLUMPED)
       noise.sigma = static_cast<float> (sigmaInClumps (variances, noise.sigma));
   }

@@ -12,9 +12,8 @@ namespace core
 {
 namespace
 {
-// Distance of the farthest neighbour in sigmas: narrower neighbourhoods are lost in the noise. Every halving beyond the
-// one that shows the noise multiplies it by the second number, if nothing is lost by that. Maps with clumps count as
-// without loss: they are of rooms and streets.
+// Rows must reach as far as least_reach sigmas, or they are lost in the noise. Every further halving that costs no
+// detail multiplies that by growth_of_reach. Maps with clumps, as of rooms and streets, count as losing nothing.
 constexpr double least_reach = 4.25;
 constexpr double growth_of_reach = 1.58;
 } // namespace

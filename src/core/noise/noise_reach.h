@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "regional_quantiles.h"
 #include "thinned_noise.h"
 
 namespace pcl_normal_smoothing

@@ -24,9 +24,9 @@ constexpr Quantile bottom = {.05, {.0513, .2726, .394}}, lowest = {.1, {.1054, .
                    lower = {.25, {.2877, .5758, .6737}}, median = {.5, {.6931, .891, .934}},
                    upper = {.75, {1.3863, 1.3068, 1.2549}}, highest = {.9, {2.3026, 1.7741, 1.5987}};
 
-// Extrapolation to a neighbourhood of no size: the share of the excess of the larger one's variance that is subtracted,
-// by the size of the larger; the largest excess that is trusted in full, over the smaller variance; and the least share
-// of the smaller variance that is left.
+// extrapolated () is the smaller neighbourhood's variance less slope * trust * (larger - smaller), and at least
+// least_extrapolated times the smaller. The slope goes by the number of points of the larger; the trust is 1 while
+// (larger - smaller) / smaller is up to trusted_excess, and 0 from twice that on.
 constexpr double slope_of_12 = .3, slope_of_16 = .4, steep_slope_of_12 = .9;
 constexpr double trusted_excess = 2.5, trusted_excess_of_upper = 3;
 constexpr double least_extrapolated = .2;

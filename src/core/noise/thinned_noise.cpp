@@ -81,7 +81,7 @@ ThinnedNoise::thinnedSample (int halvings) const
 std::vector<Differences>
 ThinnedNoise::differencesAfter (int halvings) const
 {
-  return ThinnedSample (graph_, nodes_, execution_).differencesAfter (halvings);
+  return ThinnedSample (graph_, nodes_, sample_, execution_).differencesAfter (halvings);
 }
 
 bool

@@ -6,6 +6,7 @@
 #include "noise_sample.h"
 
 #include <array>
+#include <utility>
 
 namespace pcl_normal_smoothing
 {
@@ -37,10 +38,17 @@ quickSample (const NeighborGraph& graph, const Positions& nodes, const Execution
 }
 
 ThinnedSample::ThinnedSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution)
+: ThinnedSample (graph, nodes, sampleNodes (nodes, noise_sample_size, execution), execution)
+{}
+
+ThinnedSample::ThinnedSample (const NeighborGraph& graph,
+                              const Positions& nodes,
+                              std::vector<std::uint32_t> sample,
+                              const Execution& execution)
 : graph_ (graph)
 , nodes_ (nodes)
 , execution_ (execution)
-, nodes_of_sample_ (sampleNodes (nodes, noise_sample_size, execution))
+, nodes_of_sample_ (std::move (sample))
 , level_count_ (ThinnedCloud::mostHalvings (nodes.size (), least_size) + 1)
 {}
 

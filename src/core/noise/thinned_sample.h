@@ -2,8 +2,8 @@
 #pragma once
 
 #include "differences.h"
+#include "regional_quantiles.h"
 
-#include <pcl_normal_smoothing/core/noise/regional_field.h>
 #include <pcl_normal_smoothing/core/search/neighbor_graph.h>
 
 namespace pcl_normal_smoothing
@@ -20,6 +20,12 @@ class ThinnedSample
 public:
   /** \param[in] graph of all nodes, at least one; all arguments kept while this is used */
   ThinnedSample (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);
+
+  /** \param[in] sample the nodes to look at, in the order of what is returned */
+  ThinnedSample (const NeighborGraph& graph,
+                 const Positions& nodes,
+                 std::vector<std::uint32_t> sample,
+                 const Execution& execution);
 
   /** Number of levels of thinning: the cloud as it is, and one for each possible halving. */
   int

@@ -30,8 +30,9 @@ constexpr double resolved_drop_first = .79;
 // A drop that suffices for the halving that first resolves the noise, whatever the next one shows: sheets farther apart
 // may raise the ratio again.
 constexpr double resolved_drop_at_once = .75;
-// The thinnest cloud cannot be halved to see the ratio drop. But there a volume has a larger ratio than the first of
-// these, and on average over the last two clouds larger than the second; or its wide parts are thicker than the third.
+// The thinnest cloud cannot be halved once more to see the ratio drop. It shows a surface if its ratio is below the first
+// of these, or the mean ratio of the two thinnest clouds below the second, or cloudThickness below the third: a volume,
+// such as leaves or grass, exceeds all three.
 constexpr double resolved_ratio_of_last = .32, resolved_ratio_of_last_two = .335;
 constexpr double max_thickness = .45;
 // Where points lie in clumps, as where sweeps of a lidar cross, these hide the noise, while the usual spacing is that

@@ -4,6 +4,7 @@
 #include "../nodes_where.h"
 #include "../quantile.h"
 #include "local_residuals.h"
+#include "noise_field_estimate.h"
 #include "noise_of_sample.h"
 #include "noise_reach.h"
 

@@ -24,8 +24,8 @@ check (const RobustSmoothingOptions& options)
   if (!(options.noise.sigma >= 0) || !(options.noise.spacing >= 0))
     throw Error ("the noise's sigma is " + numberText (options.noise.sigma) + ", the spacing " +
                  numberText (options.noise.spacing) + ": give lengths of at least 0");
-  if (options.rounds < 0 || options.rounds > max_rounds)
-    throw Error ("the number of rounds is " + std::to_string (options.rounds) + ": give 0 to " +
+  if (options.count < 0 || options.count > max_rounds)
+    throw Error ("the number of rounds is " + std::to_string (options.count) + ": give 0 to " +
                  std::to_string (max_rounds));
   if (!(options.sheet_distance >= 0))
     throw Error ("the sheet distance is " + numberText (options.sheet_distance) + ": give a length of at least 0");
@@ -62,8 +62,8 @@ public:
   void
   run ()
   {
-    for (int round = 0; round < options_.rounds; ++round) {
-      progress_ = execution_.part (round, round, options_.rounds);
+    for (int round = 0; round < options_.count; ++round) {
+      progress_ = execution_.part (round, round, options_.count);
       is_fine_ = round < schedule_.fine_rounds;
       if (round >= schedule_.first_far_round)
         beginFar ();
@@ -74,9 +74,9 @@ public:
       far_.reset ();
       step_taking_.take (round, nodeArrays (positions_, normals_), progress_, other_);
       positions_.offset.swap (other_);
-      execution_.report ((round + 1.0) / options_.rounds);
+      execution_.report ((round + 1.0) / options_.count);
     }
-    if (options_.rounds > 0)
+    if (options_.count > 0)
       keepApart ();
     if (options_.along_rays)
       moveAlongRays (start_, normals_, options_.max_displacement, execution_.silent (), positions_);

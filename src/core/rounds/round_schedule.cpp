@@ -73,7 +73,7 @@ filteringSigma (const RobustSmoothingOptions& options, int round)
 int
 roundsDepth (const RobustSmoothingOptions& options, int of_normals)
 {
-  if (options.rounds == 0)
+  if (options.count == 0)
     return of_normals;
   const RoundSchedule schedule = scheduleOf (options);
   // The first fit reads the node's own normal and the neighbours' positions; later ones, and the first if oriented, the
@@ -82,7 +82,7 @@ roundsDepth (const RobustSmoothingOptions& options, int of_normals)
   const int first_fit = std::max ({of_normals, of_row, 1 + of_neighbors});
   constexpr int fit = 1, update = 1;
   int all = first_fit - fit;
-  for (int round = 0; round < options.rounds; ++round) {
+  for (int round = 0; round < options.count; ++round) {
     const int hops = round < schedule.first_far_round ? 1 : 2; // far rows reach neighbours of neighbours
     all += hops * (fit + (filteringSigma (options, round) > 0 ? 1 : 0) + update) + schedule.averages;
   }

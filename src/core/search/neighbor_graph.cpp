@@ -194,7 +194,7 @@ NeighborGraph::build (const Positions& cloud, const Search& search, const Execut
   NeighborQuery order_alone {1};
   order_alone.distinct = distinct;
   const auto ordered = build (cloud, order_alone, execution.part (0, 0.1));
-  return ordered->rebuild (gather (cloud, ordered->order ()), search, execution.part (0.1, 1));
+  return ordered->rebuild (gather (cloud, ordered->order (), execution.silent ()), search, execution.part (0.1, 1));
 }
 
 NeighborGraph::Ptr

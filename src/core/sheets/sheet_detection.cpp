@@ -10,10 +10,7 @@ namespace core
 {
 namespace
 {
-// Two points of one sheet are hardly farther apart across it, in sigmas.
-constexpr float sigmas_of_sheet = 4;
-// Upper limits in spacings: the noise may be overestimated because of the sheets themselves.
-constexpr float usual_spacings = 1.2f;
+// Like most_sheet_spacings, for sheets closer than usual.
 constexpr float closer_spacings = .65f;
 // Share of the sample beside another sheet, at the first scale: .1 to .46 in a ball inside the noise of one sheet, .6
 // to .97 for sheets that the noise hides.
@@ -23,8 +20,8 @@ constexpr float most_beside_in_ball = .55f;
 SheetScales
 sheetScales (float sigma, float spacing)
 {
-  const float of_noise = sigmas_of_sheet * sigma;
-  const float usual = std::min (of_noise, usual_spacings * spacing), closer = closer_spacings * spacing;
+  const float of_noise = sheet_sigmas * sigma;
+  const float usual = std::min (of_noise, most_sheet_spacings * spacing), closer = closer_spacings * spacing;
   return {{{usual, sheet_row_length}, {usual, short_row_length}, {closer, short_row_length}}};
 }
 

@@ -9,6 +9,11 @@ namespace pcl_normal_smoothing
 {
 namespace core
 {
+// Two points of one sheet are hardly farther apart across it, in sigmas.
+constexpr float sheet_sigmas = 4;
+// In spacings: the noise may be overestimated, because of the sheets themselves or because it varies.
+constexpr float most_sheet_spacings = 1.2f;
+
 /** Sheets are sought at three scales; the first that shows some decides. Sheets no farther apart than the points
   * need a small distance to be seen; in noise they show only in short rows. */
 using SheetScales = std::array<SheetScale, 3>;

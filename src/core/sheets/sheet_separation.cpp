@@ -143,7 +143,8 @@ private:
       float sum = 0, weights = 0;
       for (std::size_t j = 1; j < rowLength (node); ++j)
         if (criterion_.areAlike (node, row[j])) {
-          const float height = criterion_.height (node, row[j]), weight = bell ((height - sheet) / unit);
+          const float height = criterion_.height (node, row[j]), off = (height - sheet) / unit;
+          const float weight = bell (off * off / 2);
           sum += weight * height;
           weights += weight;
         }
@@ -153,11 +154,11 @@ private:
     return std::abs (sheet) < distance_ ? sheet : 0;
   }
 
-  /** A substitute for exp (-x^2 / 2) that is bit for bit the same everywhere. */
+  /** A substitute for exp (-x), as in kernels/local_points.h, bit for bit the same everywhere. */
   static float
   bell (float x)
   {
-    float power = std::max (1 - x * x / 32, 0.0f);
+    float power = std::max (1 - x / 16, 0.0f);
     for (int squares = 0; squares < 4; ++squares)
       power *= power;
     return power;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shapes.h"
 
+#include <core/noise/noise_field_estimate.h>
 #include <pcl_normal_smoothing/core/noise/noise_estimate.h>
 
 #include <gtest/gtest.h>

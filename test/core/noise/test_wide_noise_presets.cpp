@@ -100,7 +100,7 @@ TEST_P (WideNoisePresets, WithoutRoundsOrNoiseNothingMoves)
 {
   const Vectors points = bumpySphere (1.5);
   SmoothingOptions without_rounds = wideningOptions (isFast ()), without_noise = without_rounds;
-  without_rounds.rounds.rounds = 0;
+  without_rounds.rounds.count = 0;
   without_noise.rounds.noise.sigma = 0;
   for (const SmoothingOptions& options : {without_rounds, without_noise})
     for (const Eigen::Vector3f& way : smoothed (asPositions (points), k (), options).displacements)

@@ -2,7 +2,10 @@
 #include "graph_rows.h"
 #include "shapes.h"
 
+#include <core/search/node_blocks.h>
+#include <core/sheets/sheet_criterion.h>
 #include <core/sheets/sheet_separation.h>
+#include <pcl_normal_smoothing/core/rounds/robust_smoothing.h>
 
 #include <gtest/gtest.h>
 
@@ -123,6 +126,38 @@ TEST (SheetSeparationTest, OrientedNormalsSeparateSheetsAtOneSpacing)
   const Vectors normals = byNode (sheets.normals, *graph);
   const Positions nodes = gather (cloud, graph->order ());
   EXPECT_EQ (shareOfOthers (*separateSheets (graph, nodes, {1, &normals}, execution)), 0);
+}
+
+/** One rule, written for a pair of points and for many rows at once: sheets are found by the one and parted by the
+  * other. */
+TEST (SheetCriterionTest, CountsInRowsWhatItFindsInPairs)
+{
+  const Shape shape = parallelSheets (40, spacing, 1.5f * spacing);
+  const Execution execution (2);
+  const Positions cloud = asPositions (withNormalNoise (shape, noise, 9));
+  const NeighborGraph::ConstPtr graph = NeighborGraph::build (cloud, {32}, execution);
+  const Positions nodes = gather (cloud, graph->order ());
+  Vectors normals = startNormals (*graph, nodes, execution);
+  for (const bool oriented : {false, true}) {
+    const SheetCriterion criterion (nodes, normals, 4 * noise, oriented);
+    for (const SheetEvidence& evidence : {evidence_to_change, evidence_to_drop}) {
+      Numbers others (nodes.size ());
+      const OtherSheetCount of_rows = criterion.ofRows (evidence, others);
+      forEachBlockOf (*graph, nullptr, sheet_row_length, execution,
+                      [&] (const BlockRows& rows) { kernels ().count_others (of_rows, rows); });
+      std::size_t differing = 0, beside = 0;
+      for (std::uint32_t node = 0; node < graph->size (); ++node) {
+        const Row row = graph->row (node);
+        float expected = 0;
+        for (std::size_t j = 1; j < row.size (); ++j)
+          expected += criterion.isOther (node, row[j], evidence) ? 1.f : 0.f;
+        differing += others[node] != expected;
+        beside += expected > 0;
+      }
+      EXPECT_GT (beside, nodes.size () / 2);
+      EXPECT_LE (differing, nodes.size () / 1000); // where rounding decides
+    }
+  }
 }
 
 TEST (SheetSeparationTest, ThreadsDoNotMatter)

@@ -42,32 +42,6 @@ struct NoiseField
   }
 };
 
-/** Certainty, 0 to 1, that residuals of quadrics are detail and not noise: within regions they differ more than those
-  * of uniform noise.
-  * \param[in] variances of the 12 nearest for a sample of the whole cloud, in any order; with fewer than three quarters
-  * of noise_sample_size the result is 0
-  * \param[in] spacing between neighbouring points, > 0 */
-double
-certaintyOfDetail (const std::vector<LocalValue>& variances, float spacing);
-
-/** \param[in] variances residual variances for a sample of the whole cloud, in any order
-  * \param[in] spacing between neighbouring points, > 0
-  * \param[in] ratio of sigma to the spacing: the smaller, the more must regions differ, as detail looks like noise
-  * \param[in] spread_by_chance ratio of the 9th to the 1st decile of the sigmas of regions that chance explains
-  * \param[in] certainty_of_detail 0 to 1: reduces the differences of regions by this share
-  * \return factors relative to the median of the sample; no regions if they hardly differ, or the sample is too
-  * small */
-NoiseField
-estimateNoiseField (const std::vector<LocalValue>& variances,
-                    float spacing,
-                    double ratio,
-                    double spread_by_chance,
-                    double certainty_of_detail);
-
-/** The field of a noise proportional to the regions' values, with factor 1 at the value \a usual, which is > 0. */
-NoiseField
-relativeField (RegionalField values, float usual);
-
 /** The squares of factorAt for all nodes; empty if the field is even. */
 Numbers
 varianceFactors (const NoiseField& field, const Positions& positions, const Execution& execution);

@@ -18,7 +18,7 @@ struct RobustSmoothingOptions
   /** Of the cloud; sigma 0 leaves it as it is. Weights and risk are based on the local sigma. */
   NoiseEstimate noise;
   /** Number of rounds, at most six. */
-  int rounds = 6;
+  int count = 6;
   /** Fewer solves and averages per round: SmoothingPreset::FAST. */
   bool fast = false;
   /** Normals are consistently oriented: neighbours with opposite normals do not count. */
