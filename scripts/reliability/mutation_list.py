@@ -40,7 +40,7 @@ MUTATIONS = [
     ("search: a point at the radius is a neighbour", HEADERS + "impl/neighbor_graph.hpp",
      "if (!(sq_dists[j] >= query.radius * query.radius))", "if (query.k == 0 || !(sq_dists[j] >= query.radius * query.radius))"),
     ("search: the user's search object keeps the moved copy", HEADERS + "impl/search_settings.hpp",
-     "        search_->setInputCloud (cloud_, indices_);", "        ;"),
+     "if (cloud_)", "if (cloud_ && cloud_->empty ())"),
     ("sheets: they are parted by another rule than they are found by", KERNELS + "other_sheet.h", "(height * height > task.sq_distance +",
      "(height * height > 1.5f * task.sq_distance +"),
     ("tools: reports need names in UTF-8", "tools/smoothing/smoothing_report.cpp", "Json::error_handler_t::replace", "Json::error_handler_t::strict"),

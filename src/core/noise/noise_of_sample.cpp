@@ -15,8 +15,8 @@ namespace core
 {
 namespace
 {
-/** Correction factor for sigma: the larger the noise relative to the spacing, the more of it a quadric follows. Fitted
-  * to planes of even noise.
+/** Correction factor for sigma: the larger the noise relative to the spacing, the more of it a quadric follows. Fitted,
+  * like the next: doc/reading_noise.md, "What a quadric swallows".
   * \param[in] ratio of the estimated sigma to the spacing */
 double
 factorOfQuadrics (double ratio)

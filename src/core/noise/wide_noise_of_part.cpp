@@ -46,7 +46,7 @@ struct ShownNoise
   float sigma = 0;
 };
 
-/** sigma, corrected for what quadrics through 16 points follow, for ratios up to shown_ratio. */
+/** sigma, corrected for what quadrics through 16 points follow: fitted, for ratios up to shown_ratio. */
 float
 sigmaOfShown (const LocalResiduals& residuals, std::size_t s)
 {
