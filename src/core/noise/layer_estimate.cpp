@@ -2,6 +2,7 @@
 #include "../quantile.h"
 #include "camera_grid.h"
 #include "layer_test.h"
+#include "parallel_planes.h"
 #include "thinned_sample.h"
 
 #include "layer_estimate.h"
@@ -20,15 +21,9 @@ namespace
 constexpr double cosine_of_parallel = 1 - 1e-5;
 constexpr double cosine_of_facing = .77; // 40 degrees: objects may be at the rim of the picture only
 constexpr double min_share_flat = .05;   // with noise there are none; a scan of a table with a frayed wall has .1
-// Share of the flat neighbourhoods that must be parallel; on a slanting table, rows of pixels a step apart are flat
-// too.
-constexpr double min_share_parallel = .12;
-constexpr double min_share_off = .1; // share of the flat ones that must have points off their plane nearby
-// Share of those seeing a layer that must lie between two; cameras have .8 and more.
-constexpr double min_share_between = .5;
-// Upper bound on the share of these with their nearest on a line: above it, the planes are those of a profiler's lines.
-constexpr double max_share_lines = .6;
 constexpr double surely_line = .2;
+// Sigma in steps of noise that frays layers, on the large side: where it is .7, 1.2 leaves less than .8 does.
+constexpr float noise_of_frayed_step = 1.2f;
 constexpr float max_deviation = .45f; // median deviation of log (step) from its region's; terraces have more
 
 bool
@@ -110,69 +105,14 @@ areOfCamera (const std::vector<Eigen::Vector3d>& normals,
          isGridOfCamera (graph, nodes, commonNormal (facing), execution);
 }
 
-/** Points that lie in parallel planes with their nearest, and their surroundings. */
-class ParallelPlanes
-{
-public:
-  /** \param[in] height of the plane \param[in] is_line whether the nearest lie on a line */
-  void
-  add (double height, const LayerSurrounding& surrounding, bool is_line)
-  {
-    heights_.push_back (height);
-    off_ += surrounding.is_off ? 1 : 0;
-    if (surrounding.step > 0) {
-      steps_.push_back ({height, surrounding.step});
-      lines_ += is_line ? 1 : 0;
-    }
-  }
-
-  /** The share of the points with others off their plane that see a layer next to theirs. */
-  double
-  shareStepped () const
-  {
-    return static_cast<double> (steps_.size ()) / off_;
-  }
-
-  /** \param[in] flat number of points in planes, parallel or not */
-  bool
-  areLayers (double flat)
-  {
-    const auto all = static_cast<double> (heights_.size ()), stepped = static_cast<double> (steps_.size ());
-    if (all <= min_share_parallel * flat || off_ <= std::max (min_share_off * flat, min_count_off) ||
-        stepped <= min_share_stepped * off_ || lines_ > max_share_lines * stepped)
-      return false;
-    std::sort (heights_.begin (), heights_.end ());
-    const auto between = std::count_if (steps_.begin (), steps_.end (), [&] (const Step& step) {
-      return hasPlane (step.height, step.size) && hasPlane (step.height, -step.size);
-    });
-    return static_cast<double> (between) > min_share_between * stepped;
-  }
-
-private:
-  struct Step
-  {
-    double height, size;
-  };
-
-  /** Whether there is a plane about \a way off \a height. */
-  bool
-  hasPlane (double height, double way) const
-  {
-    const auto [low, high] = std::minmax ({height + .6 * way, height + 1.5 * way});
-    const auto next = std::lower_bound (heights_.begin (), heights_.end (), low);
-    return next != heights_.end () && *next < high;
-  }
-
-  std::vector<double> heights_;
-  std::vector<Step> steps_;
-  double off_ = 0, lines_ = 0;
-};
-
 class LayerFinder
 {
 public:
   explicit LayerFinder (const ThinnedSample& sample)
-  : sample_ (sample), halvings_ (sample.size (), static_cast<float> (sample.levelCount ())), steps_ (sample.size (), 0)
+  : sample_ (sample)
+  , halvings_ (sample.size (), static_cast<float> (sample.levelCount ()))
+  , steps_ (sample.size (), 0)
+  , frayed_steps_ (sample.size (), 0)
   {}
 
   LayerEstimate
@@ -190,13 +130,21 @@ public:
       if (halvings == 0)
         spacing = medianReach (differences);
     }
-    std::vector<LocalValue> steps = sample_.atPlaces (steps_);
+    are_frayed_ &= !have_layers;
+    std::vector<LocalValue> steps = sample_.atPlaces (are_frayed_ ? frayed_steps_ : steps_);
     steps.erase (std::remove_if (steps.begin (), steps.end (), [] (const LocalValue& step) { return step.value == 0; }),
                  steps.end ());
-    if (!have_layers || !(spacing > 0) || !areAlike (steps, spacing))
+    if (!(have_layers || are_frayed_) || !(spacing > 0) || !areAlike (steps, spacing))
       return {};
     return {regionalMedians (sample_.atPlaces (halvings_), spacing), regionalMedians (steps, spacing),
-            noiseOfStep (share_stepped_)};
+            are_frayed_ ? noise_of_frayed_step : noiseOfStep (share_stepped_)};
+  }
+
+  /** Whether what was found are layers only if a camera has seen them. */
+  bool
+  areFrayed () const
+  {
+    return are_frayed_;
   }
 
   /** Normals of planes, after find. */
@@ -224,9 +172,17 @@ private:
                       axesOfNearest (differences[s]).areLine (surely_line));
         if (steps_[s] == 0)
           steps_[s] = static_cast<float> (surrounding.step);
+        if (frayed_steps_[s] == 0)
+          frayed_steps_[s] = static_cast<float> (surrounding.to_nearest_off);
       }
     const auto flat = static_cast<double> (normals.size ());
-    if (flat <= min_share_flat * static_cast<double> (planes.size ()) || !parallel.areLayers (flat))
+    if (flat <= min_share_flat * static_cast<double> (planes.size ()))
+      return false;
+    if (normals_.empty () && parallel.mayBeFrayedLayers (flat)) {
+      are_frayed_ = true;
+      normals_ = normals;
+    }
+    if (!parallel.areLayers (flat))
       return false;
     if (share_stepped_ == 0)
       normals_ = normals;
@@ -237,6 +193,8 @@ private:
   const ThinnedSample& sample_;
   std::vector<float> halvings_;          // until the nearest of a point of the sample are not in a plane
   std::vector<float> steps_;             // to the next layer, 0 if none is seen
+  std::vector<float> frayed_steps_;      // likewise, if layers have no edges
+  bool are_frayed_ = false;              // at some level there may be frayed layers, and at none others
   double share_stepped_ = 0;             // the largest ParallelPlanes::shareStepped of all levels that show layers
   std::vector<Eigen::Vector3d> normals_; // of the planes in the least thinned cloud that shows layers
 };
@@ -252,7 +210,7 @@ estimateLayers (const NeighborGraph& graph, const Positions& nodes, const Execut
   LayerFinder finder (sample);
   LayerEstimate layers = finder.find ();
   layers.are_of_camera = layers.hasLayers () && areOfCamera (finder.normals (), graph, nodes, still);
-  return layers;
+  return finder.areFrayed () && !layers.are_of_camera ? LayerEstimate () : layers;
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -33,7 +33,8 @@ struct LayerEstimate
   *
   * Layers are distinguished from flat parts of a clean surface, plates and stairs: an eighth of the points whose
   * eight nearest lie exactly in a plane do so in parallel planes; and among the 32 nearest, in the whole cloud or a
-  * thinner one, those off the plane lie in one more plane above or below, and to one side.
+  * thinner one, those off the plane lie in one more plane above or below, and to one side. Of a camera at the origin it
+  * suffices that nearly all that is flat is parallel, and has planes a step above and below.
   * \param[in] graph with rows of at least eight points; otherwise nothing is found */
 LayerEstimate
 estimateLayers (const NeighborGraph& graph, const Positions& nodes, const Execution& execution);

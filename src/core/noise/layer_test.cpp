@@ -96,9 +96,10 @@ layerSurrounding (const Differences& differences, const Eigen::Vector3d& normal)
     part.add (difference - height * normal, std::abs (height));
   }
   if (above.count () + below.count () < min_neighbors_off)
-    return {false, 0};
+    return {};
   const bool are_layers = above.isEmptyOrNextLayer (own) && below.isEmptyOrNextLayer (own);
-  return {true, are_layers ? std::min (above.lowest (), below.lowest ()) : 0};
+  const double nearest = std::min (above.lowest (), below.lowest ());
+  return {true, are_layers ? nearest : 0, nearest};
 }
 } // namespace core
 } // namespace pcl_normal_smoothing

@@ -19,10 +19,12 @@ planeOf (const Differences& differences);
 struct LayerSurrounding
 {
   /** At least eight points lie off the plane. */
-  bool is_off;
+  bool is_off = false;
   /** Distance to a layer that begins where the node's ends, > 0: the points off the plane lie in one more plane
     * above or below, and to one side. 0: there is no such layer. */
-  double step;
+  double step = 0;
+  /** Distance from the plane to the nearest point off it; 0 unless there are eight. */
+  double to_nearest_off = 0;
 };
 
 /** Points in planes show layers if more than min_count_off of them have others off their plane, and more than

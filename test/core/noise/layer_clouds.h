@@ -44,4 +44,24 @@ wallWithWindows ()
     }
   return points;
 }
+/** A wavy floor, slanting away from a pinhole camera at the origin whose disparities are rounded.
+  * \param[in] noise of the disparities before that, in steps, different at every pixel
+  * \param[in] aside how far the cloud is then moved away from the camera */
+inline pcl_normal_smoothing::core::Vectors
+viewInSteps (double noise, float aside = 0)
+{
+  constexpr int side = 75;
+  constexpr double tangent_of_pixel = 0.005, steps_at_one = 200;
+  pcl_normal_smoothing::core::Vectors points;
+  for (int row = -side; row < side; ++row)
+    for (int column = -side; column < side; ++column) {
+      const double x = tangent_of_pixel * column, y = tangent_of_pixel * row;
+      const double depth = 2 / (1 + 0.7 * y) + 0.05 * std::sin (9 * x);
+      const double disparity = std::round (steps_at_one / depth + noise * gaussianNoise (11, points.size ()));
+      const double rounded = steps_at_one / disparity;
+      points.emplace_back (static_cast<float> (rounded * x) + aside, static_cast<float> (rounded * y),
+                           static_cast<float> (rounded));
+    }
+  return points;
+}
 } // namespace test_support
