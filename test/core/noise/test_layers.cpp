@@ -238,27 +238,6 @@ TEST (LayersTest, NoiseBeforeTheRoundingFraysTheStepsAndCounts)
   EXPECT_GT (layersOf (noisy).noise_of_step, layersOf (clear).noise_of_step + 0.1f);
 }
 
-/** Then they lie one through the other, and none ends where the next begins. */
-TEST (LayersTest, NoiseOfMoreThanHalfAStepHidesNoLayersOfACamera)
-{
-  for (const double noise : {0.2, 0.5, 0.8, 1.0}) {
-    const Searched cloud (viewInSteps (noise));
-    const LayerEstimate layers = layersOf (cloud);
-    EXPECT_TRUE (layers.hasLayers ()) << noise;
-    EXPECT_TRUE (layers.are_of_camera) << noise;
-    EXPECT_GT (layers.noise_of_step, noise) << noise;
-    const SmoothingOptions options = prepared (wideningOptions (false), cloud);
-    EXPECT_TRUE (options.widen_neighborhoods);
-    EXPECT_TRUE (options.rounds.along_rays);
-    EXPECT_EQ (options.rounds.noise.hidden_by, NoiseHiddenBy::LAYERS);
-  }
-}
-
-TEST (LayersTest, StacksOfPlanesThatNoCameraSawAreNone)
-{
-  EXPECT_FALSE (haveLayers (viewInSteps (1, 30)));
-}
-
 TEST (LayersTest, LayersOfAWallThatFacesTheCameraAreNoSheets)
 {
   const double step = 0.065;
